@@ -1,7 +1,7 @@
 """Writes data/sdf.txt, the merged SDFormat tables: ``python -m tables.sdf FACTS``.
 
 FACTS is the folder with one ``sdf-<version>.json`` a version, ``enums.json`` and ``conversions.json``.
-The layout of the file is described in its own head and read by ``sdfcheck.formats.sdf.table``.
+The layout of the file is described in its own head and read by ``sdfcheck.formats.table``.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST
+from sdfcheck.formats.version import NEWEST, OLDEST
 from tables.sdf_notes import notes, remarks
 
 Node = dict[str, Any]

@@ -11,7 +11,7 @@ from sdfcheck.cli.convert.places import Source
 from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.source.sniff import Kind
 

@@ -50,10 +50,10 @@ class MalformedControlValue(Rule):
             near = None
             if attribute.type == "bool":
                 message = f"`{attribute.name}` should be `true` or `false`, not `{value.text}`"
-            elif attribute.choices:
-                near = block.nearest(value.text, attribute.choices)
+            elif attribute.listed:
+                near = block.nearest(value.text, attribute.listed)
                 message = f"unknown `{attribute.name}` `{value.text}`"
-                message += "" if near else f"; it is one of {named(attribute.choices, 'or')}"
+                message += "" if near else f"; it is one of {named(attribute.listed, 'or')}"
             else:
                 message = f"`{attribute.name}` should be a whole number from 1 on, not `{value.text}`"
             yield self.diagnostic(value, message, meant=near)

@@ -12,7 +12,7 @@ from sdfcheck.cli.parts.options import PATH, formatted, require_file, sdf_versio
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.files.regular import note_read, read_named
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage
 
 

@@ -14,7 +14,7 @@ from functools import cache
 from itertools import takewhile
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.urdf.table import settings
+from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
 from sdfcheck.robot.parts.solids import Moments

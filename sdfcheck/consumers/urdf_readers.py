@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Mapping
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
-from sdfcheck.formats.urdf.table import extension, urdf
+from sdfcheck.formats.urdf.schema import extension, urdf
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.sniff import Kind
 

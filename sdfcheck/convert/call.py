@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.obstacles import refusals
 from sdfcheck.robot.load import as_text, load, parse
 from sdfcheck.robot.root import Root

@@ -33,8 +33,9 @@ def belongs(element: Element) -> bool:
         from sdfcheck.formats.urdf.misspellings import definition as urdf_definition
 
         return urdf_definition(element) is not None
-    from sdfcheck.formats.sdf.schema import Definition, schema
-    from sdfcheck.formats.sdf.version import NEWEST
+    from sdfcheck.formats.schema import Definition
+    from sdfcheck.formats.sdf.schema import schema
+    from sdfcheck.formats.version import NEWEST
 
     names = [each.name for each in (element, *element.around)]
     definition: Definition | None = schema(NEWEST).root

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from sdfcheck.convert.migrate.up import Operation, operations
 from sdfcheck.convert.writer import Node
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Comment
 
 _SINCE = Version(1, 6)

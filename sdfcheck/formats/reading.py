@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.choices import Verdict
-from sdfcheck.formats.sdf.table import Range
+from sdfcheck.formats.choices import Verdict
+from sdfcheck.formats.table import Range
 from sdfcheck.source.record import NamedTuple
 
 

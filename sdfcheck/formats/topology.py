@@ -10,17 +10,11 @@ mere wrapper: without attributes or text, and with only such elements in it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.schema import Definition
+from sdfcheck.formats.schema import Definition
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.urdf.table import UrdfElement
-
-    Place = Definition | UrdfElement
 
 _PARTS = frozenset(
     "world model link joint frame visual collision sensor light actor include gripper inertial".split()
@@ -36,7 +30,7 @@ class Displaced(NamedTuple):
     """Is it a part of a robot, or one that is required where it belongs?"""
 
 
-def standard_inside(custom: Element, parent: Element, place: Place) -> Iterator[Displaced]:
+def standard_inside(custom: Element, parent: Element, place: Definition) -> Iterator[Displaced]:
     """The outermost elements in a custom element that could be beside it, into ``parent``."""
     is_wrapper = _is_wrapper(custom, place)
     for child in custom.children():
@@ -53,7 +47,7 @@ def standard_inside(custom: Element, parent: Element, place: Place) -> Iterator[
             yield Displaced(child, needed)
 
 
-def _is_part(element: Element, definition: Place) -> bool:
+def _is_part(element: Element, definition: Definition) -> bool:
     """Has it what the format requires of such an element, and nothing that it does not know?"""
     attributes = element.attributes
     if any(name not in attributes for name in definition.required_attributes):
@@ -76,29 +70,29 @@ def _refers(element: Element, parent: Element) -> bool:
     )
 
 
-def _is_wrapper(custom: Element, place: Place) -> bool:
+def _is_wrapper(custom: Element, place: Definition) -> bool:
     """Does it hold nothing but what belongs into ``place``?"""
     if any(not name.startswith("xmlns:") for name in custom.attributes) or custom.content:
         return False
     return all(":" in child.name or child.name in place.children for child in custom.children())
 
 
-def _is_given(name: str, parent: Element, place: Place) -> bool:
+def _is_given(name: str, parent: Element, place: Definition) -> bool:
     """Is it there already, or another shape in its place?"""
     if place.name == "geometry":
         return any(":" not in child.name for child in parent.children())
     return parent.find(name) is not None
 
 
-def _is_setting(element: Element, definition: Place) -> bool:
+def _is_setting(element: Element, definition: Definition) -> bool:
     """Is it what the format allows, and does it make a difference?"""
     if definition.open or not _is_sound(element, definition):
         return False
-    default = definition.default if isinstance(definition, Definition) else None
+    default = definition.default
     return default is None or bool(element.attributes) or not _is_same(element.content, default)
 
 
-def _is_sound(element: Element, definition: Place) -> bool:
+def _is_sound(element: Element, definition: Definition) -> bool:
     attributes = element.attributes
     if any(name not in attributes for name in definition.required_attributes):
         return False
@@ -106,8 +100,8 @@ def _is_sound(element: Element, definition: Place) -> bool:
         known = definition.attributes.get(name)
         if ":" not in name and (known is None or not known.accepts(text)):
             return False
-    if (accepts := _accepts(definition)) is not None:
-        return not element.nodes and bool(accepts(element.content))
+    if definition.type is not None:
+        return not element.nodes and bool(definition.accepts(element.content))
     if element.content:
         return False
     return all(
@@ -115,13 +109,6 @@ def _is_sound(element: Element, definition: Place) -> bool:
         or ((inner := definition.children.get(child.name)) is not None and _is_sound(child, inner))
         for child in element.children()
     )
-
-
-def _accepts(definition: Place) -> Callable[[str], object] | None:
-    """The type of its text; None for an element that holds elements, or attributes only."""
-    if isinstance(definition, Definition):
-        return definition.accepts if definition.type is not None else None
-    return definition.value.accepts if definition.value is not None else None
 
 
 def _is_same(text: str, default: str) -> bool:

@@ -45,7 +45,6 @@ _ANALYSES = {
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",
-        "sdfcheck.formats.urdf.names:problems",
         "sdfcheck.formats.urdf.extensions:problems",
     ),
 }

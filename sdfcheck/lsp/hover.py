@@ -8,7 +8,7 @@ from pathlib import Path
 from sdfcheck.formats import plugins
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, summary
 from sdfcheck.formats.describe.spot import Spot, describe_custom, spot
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lsp.completion.likely import plain
 from sdfcheck.lsp.cursor import Cursor, at

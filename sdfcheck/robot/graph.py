@@ -10,9 +10,10 @@ from importlib import import_module
 from itertools import islice
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar, cast, overload
 
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
+from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.reserved import MODEL_FRAME, NODES, WORLD_FRAME
 from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, parts, reference_of
 from sdfcheck.source.record import NamedTuple
@@ -1348,7 +1349,7 @@ class LinkNames:
     def _nameless(self) -> int:
         """How many links have no name, one that is yet to be expanded, or are not even called ``link``."""
         from sdfcheck.formats.near_names import suggest
-        from sdfcheck.formats.urdf.table import urdf
+        from sdfcheck.formats.urdf.schema import urdf
 
         known = urdf().children
         others = (child.name for child in self.model.children() if child.name not in known)

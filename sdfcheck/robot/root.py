@@ -8,7 +8,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import NEWEST, VERSIONS, Version
+from sdfcheck.formats.version import NEWEST, VERSIONS, Version
 from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named
 from sdfcheck.robot.reserved import WORLD_FRAME
 from sdfcheck.robot.values import lazy

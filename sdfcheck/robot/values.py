@@ -195,7 +195,7 @@ def reference_value(pose: Element | None) -> Value | None:
     old = pose.attribute("frame")
     if old is not None:
         from sdfcheck.formats.sdf.survey import survey
-        from sdfcheck.formats.sdf.version import Version
+        from sdfcheck.formats.version import Version
 
         if survey(pose.document).version < Version(1, 7):
             return old

@@ -9,9 +9,10 @@ from pathlib import Path
 
 from hypothesis import strategies as st
 
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
-from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, urdf
+from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersion
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.urdf.schema import urdf
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.source.record import NamedTuple
 
 FIXTURES = Path(__file__).parents[2] / "fixtures"
@@ -246,18 +247,18 @@ def urdf_documents(draw: st.DrawFn) -> Text:
     return Text(".urdf", text.encode("utf-8", "replace"))
 
 
-def _urdf_element(draw: st.DrawFn, element: UrdfElement, left: list[int]) -> str:
+def _urdf_element(draw: st.DrawFn, element: Definition, left: list[int]) -> str:
     left[0] -= 1
     names = [name for name in sorted(element.attributes) if draw(st.integers(0, 3)) > 0]
     attributes = "".join(f' {name}="{_urdf_value(draw, element.attributes[name])}"' for name in names)
-    inside = _urdf_value(draw, element.value) if element.value else ""
+    inside = _urdf_value(draw, element) if element.type else ""
     names = sorted(element.children)
     while names and left[0] > 0 and draw(st.integers(0, 3)) > 0:
         inside += _urdf_element(draw, element.children[draw(st.sampled_from(names))], left)
     return f"<{element.name}{attributes}>{inside}</{element.name}>"
 
 
-def _urdf_value(draw: st.DrawFn, value: UrdfAttribute) -> str:
-    if value.choices and draw(st.integers(0, 1)) == 0:
-        return _pick(draw, value.choices)
-    return _value(draw, value.type, value.default)
+def _urdf_value(draw: st.DrawFn, value: RowInVersion) -> str:
+    if value.listed and draw(st.integers(0, 1)) == 0:
+        return _pick(draw, value.listed)
+    return _value(draw, value.type or "", value.given_default)

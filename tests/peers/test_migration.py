@@ -13,7 +13,7 @@ from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.migrate.migrate import comparable, correspondence, migrated, models, sdf_to_sdf
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.convert.verify import verify
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from tests.peers.cmdprint import version_of
 from tests.peers.findings import SHARED

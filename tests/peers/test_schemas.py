@@ -10,7 +10,7 @@ from lxml import etree
 
 from sdfcheck.formats.export.rng import rng
 from sdfcheck.formats.export.xsd import xsd
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from tests.peers.findings import SHARED, findings
 
 pytestmark = [

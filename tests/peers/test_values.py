@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Node, World
 from sdfcheck.robot.motion import mass

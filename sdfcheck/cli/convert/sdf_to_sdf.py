@@ -10,7 +10,7 @@ from sdfcheck.cli.convert.command import convert_files
 from sdfcheck.cli.convert.options import common, common_options
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import sdf_version
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 

@@ -14,7 +14,7 @@ from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import sdf_version
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def formats(context: click.Context, parameter: click.Parameter, begun: str) -> l
 
 
 def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-    from sdfcheck.formats.sdf.version import VERSIONS
+    from sdfcheck.formats.version import VERSIONS
 
     names = map(str, reversed(VERSIONS))
     return _items((name, "") for name in names if name.startswith(begun))
@@ -61,7 +61,7 @@ def places(context: click.Context, parameter: click.Parameter, begun: str) -> li
     """The continuations in the newest SDFormat, or another format: ``joint/ax`` → ``joint/axis``."""
     from sdfcheck.formats.describe.description import UnknownPlace
     from sdfcheck.formats.describe.place import describe
-    from sdfcheck.formats.sdf.version import NEWEST
+    from sdfcheck.formats.version import NEWEST
 
     above, slash, word = begun.rpartition("/")
     if ":" in word:

@@ -10,7 +10,7 @@ from copy import copy
 import numpy as np
 
 from sdfcheck.convert.marks import MARKS
-from sdfcheck.formats.sdf.schema import NOT_GIVEN, Definition
+from sdfcheck.formats.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.robot.motion.rotations import Array, to_rpy

@@ -5,9 +5,10 @@ from __future__ import annotations
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
 from sdfcheck.convert.marks import BLOCK, MARKS
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.urdf.table import settings
+from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import MergedFrame, Model, World
 from sdfcheck.robot.motion.poses import PoseError

@@ -11,9 +11,10 @@ from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
 from sdfcheck.convert.marks import SCRIPTS
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.version import NEWEST
-from sdfcheck.formats.urdf.table import settings
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.urdf.schema import settings
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.robot.parts.joint import Joint

@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.version import NEWEST, Version
 
 _ALIKE = frozenset({"lower", "upper", "effort", "velocity", "topic", "dt"})
 """Their defaults are spelled differently and mean the same: no limit, no topic."""

@@ -15,9 +15,10 @@ from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
 from sdfcheck.convert.migrate.up import STATES
 from sdfcheck.convert.verify import Counterpart
 from sdfcheck.convert.writer import number, settled
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Node as RobotNode

@@ -43,7 +43,7 @@ from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
 from sdfcheck.convert.rewrite.tidy import text_of
 from sdfcheck.convert.verify import Correspondence
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
-from sdfcheck.formats.sdf.version import VERSIONS, Version
+from sdfcheck.formats.version import VERSIONS, Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Scope, World
 from sdfcheck.robot.includes.included import included

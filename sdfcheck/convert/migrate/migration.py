@@ -9,7 +9,7 @@ from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.migrate.draft import Draft, Node
 from sdfcheck.convert.rewrite.include_expansion import ToSdf
 from sdfcheck.convert.verify import Counterpart
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import MergedFrame, Model, Scope
 from sdfcheck.robot.graph import Node as RobotNode

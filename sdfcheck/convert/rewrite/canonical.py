@@ -14,7 +14,7 @@ from sdfcheck.convert.rewrite.include_expansion import expanded
 from sdfcheck.convert.rewrite.tidy import Branch, NumberStyle, branch_of, render, tidy_sdf, tidy_urdf
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.mass import automatic
 from sdfcheck.robot.motion.mass_properties import MassProperties

@@ -12,7 +12,7 @@ from sdfcheck.convert.rewrite.tidy import Branch, Remark, branch_of, render
 from sdfcheck.convert.writer import numbers
 from sdfcheck.files.uris import locate, scheme_of
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.includes.included import Included, included, included_element, with_parameters
 from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.reserved import MODEL_FRAME

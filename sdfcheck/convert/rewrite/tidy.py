@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from sdfcheck.convert.writer import INDENT, declared_prefixes, has_mixed_content, keeps_blanks, number
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Aside, Document, Element, Instruction
 from sdfcheck.source.references import IN_ATTRIBUTE, escape
 

@@ -14,7 +14,7 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.plan import WORLD
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text, shortened
 from sdfcheck.convert.writer import Node, copied
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import MergedFrame
 from sdfcheck.robot.graph import Node as RobotNode

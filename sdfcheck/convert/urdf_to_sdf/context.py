@@ -12,9 +12,10 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import Node, copied, declare, numbers, spaced, undeclared_prefixes
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.formats.urdf.table import UrdfElement
+from sdfcheck.formats.urdf.schema import Setting
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.robot.parts.gazebo import text_of_setting
@@ -171,9 +172,9 @@ class Context:
             definition = definition.children.get(name) if definition is not None else None
         return definition is not None
 
-    def translated(self, entry: Element, setting: UrdfElement) -> str | None:
+    def translated(self, entry: Element, setting: Setting) -> str | None:
         """The text of a setting of ``<gazebo>`` as SDFormat has it; None, and reported, if it is malformed."""
-        kind = "" if setting.value is None else setting.value.type
+        kind = setting.type
         text = (
             text_of_setting(entry) if kind == "flag" else self.numbers(entry, 3 if kind == "vector3" else 1)
         )

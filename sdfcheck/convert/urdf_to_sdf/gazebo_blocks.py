@@ -16,7 +16,7 @@ from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
 from sdfcheck.convert.writer import Node, copied, numbers
 from sdfcheck.formats.sdf.values import floats, number
-from sdfcheck.formats.urdf.table import TRUE, UrdfElement, extension, settings
+from sdfcheck.formats.urdf.schema import TRUE, Setting, all_settings, settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.rotations import Array, from_rpy, to_rpy, transform
@@ -316,7 +316,7 @@ class Extensions:
     # The model
 
     def _model_part(self, entry: Element, model: Node) -> None:
-        setting = extension().children.get(entry.name)
+        setting = all_settings().get(entry.name)
         if setting is not None and setting.about in {"link", "joint"}:
             text = f"<{entry.name}> outside a block for a {setting.about} has no effect; it is left out"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
@@ -390,7 +390,7 @@ class Extensions:
                 if setting.name in _BOUNDS and (value := number(setting.content)) is not None:
                     context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
 
-    def _joint_setting(self, entry: Element, setting: UrdfElement, joint: Node) -> None:
+    def _joint_setting(self, entry: Element, setting: Setting, joint: Node) -> None:
         context, path = self.context, setting.counterparts[0]
         if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
             path = (*path[:-1], "cfm_damping")
@@ -424,7 +424,7 @@ class _LinkPart:
         else:
             context.keep(entry, link, of_block=True)
 
-    def _setting(self, entry: Element, setting: UrdfElement, link: Node) -> None:
+    def _setting(self, entry: Element, setting: Setting, link: Node) -> None:
         self.context.ledger.take(entry, TEXT, "value")
         if (text := self.context.translated(entry, setting)) is None:
             return

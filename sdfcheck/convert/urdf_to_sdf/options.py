@@ -5,7 +5,7 @@ from __future__ import annotations
 from enum import Enum
 
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.record import Record
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from sdfcheck.consumers.gazebo import GazeboRobot
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
-from sdfcheck.formats.urdf.table import TRUE, settings
+from sdfcheck.formats.urdf.schema import TRUE, settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism

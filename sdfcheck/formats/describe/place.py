@@ -7,10 +7,7 @@ A question is a path of names, as short as is clear; its prefix says which forma
 from __future__ import annotations
 
 from sdfcheck.formats.describe.description import Description, UnknownPlace
-from sdfcheck.formats.sdf.version import NEWEST, Version
-
-CONTROL = "ros2_control"
-"""Elements of URDF alone, which are never looked up with a prefix."""
+from sdfcheck.formats.version import NEWEST, Version
 
 
 def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...]:
@@ -18,26 +15,29 @@ def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...
 
     Raises: UnknownPlace: the format has no such place.
     """
-    dialect, steps = _taken_apart(question)
-    if dialect == "urdf":
-        from sdfcheck.formats.describe.urdf import describe_urdf
+    from sdfcheck.formats.describe.definition import describe_places
+    from sdfcheck.formats.sdf.schema import schema
+    from sdfcheck.formats.urdf.schema import CONTROL, URDF
 
-        return describe_urdf(steps)
+    dialect, steps = _taken_apart(question)
+    robots = URDF.schema(URDF.newest)
+    if dialect == "urdf":
+        return describe_places(robots, steps)
     if dialect:
         from sdfcheck.formats.describe.vendor import describe_vendor
 
         return describe_vendor(dialect, steps)
-    from sdfcheck.formats.describe.sdf import describe_sdf
-
     try:
-        return describe_sdf(steps, version)
+        return describe_places(schema(version), steps)
     except UnknownPlace as error:
-        if question.startswith("sdf:") or not _is_urdf(steps):
+        if question.startswith("sdf:"):
             raise
-        if steps[0] == CONTROL:
-            from sdfcheck.formats.describe.urdf import describe_urdf
-
-            return describe_urdf(steps)
+        try:
+            found = describe_places(robots, steps)
+        except UnknownPlace:
+            raise error from None
+        if steps[0] == CONTROL:  # elements of URDF alone
+            return found
         raise UnknownPlace(f"{error}; URDF has it: `urdf:{'/'.join(steps)}`") from None
 
 
@@ -51,12 +51,3 @@ def _taken_apart(question: str) -> tuple[str, tuple[str, ...]]:
         return "urdf", tuple(filter(None, text.removeprefix("urdf:").split("/")))
     custom = next((step for step in steps if ":" in step), None)
     return (custom.removeprefix("@").partition(":")[0] if custom else ""), steps
-
-
-def _is_urdf(steps: tuple[str, ...]) -> bool:
-    from sdfcheck.formats.describe.urdf import describe_urdf
-
-    try:
-        return bool(describe_urdf(steps))
-    except UnknownPlace:
-        return False

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.lexical import Form, definitions, documentation, escaped, facets, form, name_of
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.version import Version
 
 _HEAD = """\
 <?xml version="1.0" encoding="UTF-8"?>

@@ -10,11 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import cache
 
-from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.table import Row, block
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import SDF, schema
+from sdfcheck.formats.table import Row
+from sdfcheck.formats.urdf.schema import extension
 from sdfcheck.formats.urdf.survey import survey
-from sdfcheck.formats.urdf.table import extension
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import Document, Element
 
 _SHAPES = ("visual", "collision")
@@ -48,7 +49,7 @@ def extensions(document: Document) -> Iterator[tuple[Element, Definition]]:
 @cache
 def _content(kinds: tuple[str, ...]) -> Definition:
     """The content that a block about parts of these kinds may have: none of it is required."""
-    newest = schema(NEWEST)
+    newest, block = schema(NEWEST), SDF.table.block
     content = Definition(None, newest, block(kinds[0]), block(kinds[0]))
     for kind in kinds[1:]:
         content.children.update(Definition(None, newest, block(kind), block(kind)).children)

@@ -1,18 +1,14 @@
-"""Why something does not fit the table: the explaining side of the walk."""
+"""Why something does not fit the table of SDFormat."""
 
 from __future__ import annotations
 
-from collections import Counter
-
+from sdfcheck.formats.findings import Findings, counted, folded
 from sdfcheck.formats.near_names import suggest
-from sdfcheck.formats.repetition import MOST, counted, folded
+from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf import history, problems
-from sdfcheck.formats.sdf.schema import NOT_GIVEN, AttributeDefinition, Definition
-from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.sdf.value_problems import judge, text_problems
 from sdfcheck.formats.sdf.values import read_at
-from sdfcheck.formats.sdf.version import NEWEST, Version
-from sdfcheck.formats.topology import Displaced, standard_inside
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
 
 # Where an element that is in the wrong place was meant to be.
@@ -60,13 +56,6 @@ def _rank(steps: list[str], chain: list[str], definition: Definition) -> tuple[i
     return 3, 0
 
 
-# Why something does not fit the table: the explaining side of the walk.
-#
-# Loaded only when there is something to explain. Each method takes one thing that the
-# walk did not accept at once and either finds that it is sound after all or notes a
-# problem.
-
-
 # Without these the file is refused; for all else that is required a default is taken.
 _REFUSED = frozenset(
     (
@@ -102,27 +91,18 @@ Named = dict[Element, list[tuple[str, str, Element]]]
 """Parent → (element name, value of its ``name``, element)."""
 
 
-class Findings:
-    """The problems of one document, collected during its walk."""
+class SdfFindings(Findings):
+    """The problems of one SDFormat document, collected during its walk."""
 
     def __init__(self, document: Document, version: Version, named: Named) -> None:
-        self.document = document
-        self.version = version
+        super().__init__(document, version)
         self.named = named
-        self.customs: list[tuple[Element, Element, Definition]] = []
-        """Custom elements in standard ones, with their parent and its definition."""
-        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Custom elements → the standard ones in them that could be beside them."""
         self.elsewhere: set[tuple[Element, str]] = set()
         """Children that elements lack only because these are inside a custom element."""
         self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
         self.misspelled: set[tuple[Element, str]] = set()
         """Parts that elements lack only because a child or attribute of theirs is misspelled."""
-        self.found: list[object] = []
-        self.stray: set[Element] = set()
-        self.strange: Counter[Element] = Counter()
-        """How many unknown attributes an element has."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
         self.too_new: dict[tuple[str, str, Version], list[Element]] = {}
@@ -136,7 +116,6 @@ class Findings:
     # Elements
 
     def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
-        """A child that the table does not list; returns its definition if only the version is too old."""
         name = child.name
         if ":" in name:
             self.custom(child, parent, place)
@@ -164,24 +143,18 @@ class Findings:
         return None
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
-        """A prefixed element: free, except that it must not hold what belongs to the standard."""
-        self.customs.append((child, parent, place))
+        super().custom(child, parent, place)
         name = child.attributes.get("name")
         if name is not None:
             self.named.setdefault(parent, []).append((child.name, name, child))
-        if displaced := tuple(standard_inside(child, parent, place)):
-            self.displaced[child] = displaced
-            self.elsewhere.update((parent, each.element.name) for each in displaced)
+        self.elsewhere.update((parent, each.element.name) for each in self.displaced.get(child, ()))
 
-    def repeated(self, element: Element, first: Element, parent: Element) -> None:
+    def repeated(self, element: Element, first: Element, parent: Element) -> bool:
         # The content of the root is judged as a whole, by the analysis of structure.
         places = {f"{kind}/{element.name}" for kind in (parent.name, parent.attributes.get("type", ""))}
         if parent.parent is not None and REPEATABLE.isdisjoint(places):
             self.found.append(problems.RepeatedElement(element, first, parent))
-
-    def deprecated(self, element: Element, definition: Definition) -> None:
-        successor = history.deprecation(definition.place)
-        self.found.append(problems.DeprecatedElement(element, None, *successor))
+        return False
 
     def missing(self, parent: Element, place: Definition, name: str) -> None:
         self.missing_children.append((parent, place, name))
@@ -213,19 +186,11 @@ class Findings:
             return self.version < _FIVE  # where that is the usual meaning
         return frame.content.lower() in {"true", "1"}
 
-    def stray_text(self, element: Element) -> None:
-        if element in self.stray:
-            return
-        self.stray.add(element)
-        if (span := stray_line(element)) is not None:
-            self.found.append(problems.StrayText(span, element))
-
     # Attributes
 
     def attribute(
         self, element: Element, parent: Element, definition: Definition, key: str, text: str
     ) -> None:
-        """An attribute that is unknown, or whose value is not accepted at once."""
         known = definition.attributes.get(key)
         if known is not None:
             self.attribute_value(element, definition, known, text)
@@ -248,8 +213,7 @@ class Findings:
             parent = element.parent if element.parent is not None else element
             self.found.append(problems.RemovedElement(element, parent, name, old, successor))
         elif old is None:
-            self.strange[element] += 1
-            if self.strange[element] > MOST:
+            if self.is_one_too_many(element):
                 return
             lacking = [each for each in definition.attributes if each not in element.attributes]
             suggestion = suggest(name, lacking)
@@ -284,7 +248,6 @@ class Findings:
     # Values
 
     def value(self, element: Element, parent: Element, definition: Definition) -> None:
-        """A leaf whose text is not accepted at once."""
         for child in element.children():
             self.unexpected(child, element, definition)
         self.found += text_problems(element, definition)
@@ -311,7 +274,6 @@ class Findings:
             self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
 
     def conclude(self) -> list[object]:
-        """Everything found, once the walk is over."""
         self.judge_unknown()
         for parent, place, name in self.missing_children:
             if (parent, name) in self.misspelled | self.elsewhere:

@@ -6,17 +6,16 @@ Names of attributes are written with an ``@`` throughout: ``since(pose, "@degree
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
-from sdfcheck.formats.sdf.table import Row, block, newest_name, spans, stems
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.schema import SDF
+from sdfcheck.formats.table import DATA, Row, newest_name
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.record import NamedTuple
 
-_NOTES = Path(__file__).parents[1] / "data" / "sdf-notes.txt"
+_NOTES = DATA / "sdf-notes.txt"
 READ_IN_ALL_VERSIONS = frozenset(("include/name", "include/pose", "include/static"))
 """Newer in the tables than in libsdformat, which reads them in files of every version."""
-_ALL = frozenset(range(OLDEST.minor, NEWEST.minor + 1))
 
 
 class Place(NamedTuple):
@@ -38,17 +37,17 @@ class Deprecation(NamedTuple):
 
 def in_version(definition: Definition, version: Version) -> Definition | None:
     """The definition of the same place in another version; None where that version has no such place."""
-    return schema(version).at(definition.place)
+    return definition.schema.format.schema(version).at(definition.place)
 
 
 def versions(parent: Definition, name: str) -> tuple[Version, ...]:
     """The versions that have a child or an ``@attribute`` of a name at this place."""
-    found: set[Version] = set()
-    for version in _sorted_versions(_ALL):
+    found = []
+    for version in parent.schema.format.versions:
         other = in_version(parent, version)
         if other is not None and (name[1:] in other.attributes if name[0] == "@" else name in other.children):
-            found.add(version)
-    return tuple(sorted(found))
+            found.append(version)
+    return tuple(found)
 
 
 def since(parent: Definition, name: str) -> Version:
@@ -65,7 +64,7 @@ def since(parent: Definition, name: str) -> Version:
 
 def later(parent: Definition, name: str) -> Definition | None:
     """A child that the parent's version has not yet, as the last version that has it defines it."""
-    newest = in_version(parent, NEWEST)
+    newest = in_version(parent, parent.schema.format.newest)
     if newest is not None and name in newest.children:
         return newest.children[name]
     last = max(versions(parent, name), default=parent.version)
@@ -112,11 +111,6 @@ def known_parents(name: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(place.parent for place in known_places(name)))
 
 
-def unit(definition: Definition) -> str | None:
-    """The unit of a value, as far as the descriptions state one."""
-    return next((text for place, text in _notes("unit") if place == definition.place), None)
-
-
 @cache
 def reserved_name_holders() -> frozenset[str]:
     """The elements whose ``name`` libsdformat checks for reserved words."""
@@ -139,38 +133,29 @@ def _notes(kind: str) -> tuple[tuple[str, ...], ...]:
 def _places() -> dict[str, tuple[Place, ...]]:
     found: dict[str, list[Place]] = {}
 
-    def collect(row: Row, path: str, place: str, lives: frozenset[int]) -> None:
+    def collect(row: Row, path: str, place: str, alive: tuple[Version, ...]) -> None:
         for inner in row.rows:
-            alive = lives & _minors(inner.life)
-            entry = Place(path, f"{place}/{inner.name}", _sorted_versions(alive))
+            entry = Place(path, f"{place}/{inner.name}", _living(inner, alive))
             found.setdefault(inner.name, []).append(entry)
-            collect(inner, f"{path}/{inner.name}", entry.place, alive)
+            collect(inner, f"{path}/{inner.name}", entry.place, entry.versions)
 
-    for stem in stems():
-        top = block(stem)
+    for stem in SDF.table.stems():
+        top = SDF.table.block(stem)
         name = newest_name(top)
-        collect(top, name, f"{stem}:{name}", _minors(top.life))
+        collect(top, name, f"{stem}:{name}", _living(top, SDF.versions))
     return {name: tuple(sorted(entries)) for name, entries in found.items()}
 
 
-@cache
-def _minors(life: str) -> frozenset[int]:
-    if not life:
-        return _ALL
-    return frozenset(minor for first, last in spans(life) for minor in range(first, last + 1))
-
-
-@cache
-def _sorted_versions(minors: frozenset[int]) -> tuple[Version, ...]:
-    return tuple(Version(NEWEST.major, minor) for minor in sorted(minors))
+def _living(row: Row, versions: tuple[Version, ...]) -> tuple[Version, ...]:
+    return versions if not row.life else tuple(each for each in versions if row.lives(each.minor))
 
 
 def required_until(definition: Definition, attribute: str) -> Version | None:
     """The last version that requires an attribute; None if the newest one does."""
     last = None
-    for minor in range(OLDEST.minor, NEWEST.minor + 1):
-        there = schema(Version(1, minor)).at(definition.place)
+    for version in SDF.versions:
+        there = in_version(definition, version)
         known = there.attributes.get(attribute) if there else None
         if known is not None and known.required:
-            last = Version(1, minor)
+            last = version
     return None if last == NEWEST else last

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import inf
 
+from sdfcheck.formats.schema import AttributeDefinition, Definition, Schema
 from sdfcheck.formats.sdf.history import in_version
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, Schema, schema
-from sdfcheck.formats.sdf.table import Range
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.table import Range
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.record import NamedTuple
 
 _NUMBER = r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+\-]?[0-9]+)?"
@@ -146,8 +147,8 @@ def documentation(place: Definition | AttributeDefinition) -> str:
     if place.default and place.default != "__default__":
         parts.append(f"default: {place.default}")
     if isinstance(place, Definition):
-        if unit := history.unit(place):
-            parts.append(f"unit: {unit}")
+        if place.units:
+            parts.append(f"unit: {place.units[0]}")
         if place.deprecated:
             successor = history.deprecation(place.place).successor
             parts.append("deprecated" + (f", use {successor}" if successor else ""))

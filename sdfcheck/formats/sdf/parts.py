@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.sdf.numbers import BLANKS, Number, Width, leading_float, stream_float, stream_integer
-from sdfcheck.formats.sdf.table import Range
+from sdfcheck.formats.table import Range
 
 SHARE = Range(0.0, 1.0)
 

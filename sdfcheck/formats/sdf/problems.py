@@ -10,9 +10,8 @@ from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.formats.reading import Reading
-    from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
-    from sdfcheck.formats.sdf.version import Version
-    from sdfcheck.formats.urdf.table import UrdfAttribute
+    from sdfcheck.formats.schema import AttributeDefinition, Definition
+    from sdfcheck.formats.version import Version
 
 
 class UnknownAttribute(Record):
@@ -165,7 +164,7 @@ class BadValue(Record):
     """A value that is not read as written; ``reading`` says why. Rules distinguish the subclasses."""
 
     value: Value
-    definition: Definition | AttributeDefinition | UrdfAttribute
+    definition: Definition | AttributeDefinition | AttributeDefinition
     reading: Reading
     span: Span
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.sdf.survey import Survey, survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 

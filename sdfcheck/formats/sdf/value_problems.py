@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import Outcome, Reading
+from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf import history, problems
-from sdfcheck.formats.sdf.choices import Verdict
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import cut_text, part
 from sdfcheck.formats.sdf.values import read_at
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import Element, Value
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.urdf.table import UrdfAttribute
+    from sdfcheck.formats.schema import AttributeDefinition
 
 _KINDS = {Outcome.MISREAD: problems.MisreadValue, Outcome.WRONG_COUNT: problems.WrongComponentCount}
 
@@ -56,7 +56,7 @@ def judge(value: Value, definition: Definition | AttributeDefinition, reading: R
 
 
 def problem_of(
-    value: Value, definition: Definition | AttributeDefinition | UrdfAttribute, reading: Reading
+    value: Value, definition: Definition | AttributeDefinition | AttributeDefinition, reading: Reading
 ) -> Iterator[object]:
     """The problem of a number or truth value, if there is one."""
     if reading.is_fine:

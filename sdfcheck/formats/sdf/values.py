@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
-from sdfcheck.formats.sdf.choices import Verdict
+from sdfcheck.formats.schema import RowInVersion
 from sdfcheck.formats.sdf.numbers import BLANKS, Width, leading_float, leading_integer
 from sdfcheck.formats.sdf.parts import (
     in_range,
@@ -21,8 +22,7 @@ from sdfcheck.formats.sdf.parts import (
     rest_cause,
     word_at,
 )
-from sdfcheck.formats.sdf.schema import RowInVersion
-from sdfcheck.formats.sdf.table import Range
+from sdfcheck.formats.table import Range
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))

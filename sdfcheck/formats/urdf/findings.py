@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Iterator
 from math import isfinite
 
+from sdfcheck.formats.findings import MOST, Findings, folded
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
-from sdfcheck.formats.repetition import MOST, folded
-from sdfcheck.formats.sdf import problems
+from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf import history, problems
 from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
 from sdfcheck.formats.sdf.parts import no_number
-from sdfcheck.formats.sdf.table import Range
-from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces, stray_line
+from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces
 from sdfcheck.formats.sdf.value_problems import problem_of
-from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.topology import Displaced, standard_inside
+from sdfcheck.formats.table import Range
 from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.misspellings import meant_attribute, meant_child
-from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, known_parents
-from sdfcheck.source.document import Element, Value
-from sdfcheck.source.text import Source, is_expression
+from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents
+from sdfcheck.formats.version import Version
+from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.text import is_expression
 
 # How urdfdom reads a value, with the reason where that is not what is written.
 #
@@ -37,13 +36,13 @@ _PIECE = re.compile(r"[^ ]+")
 _OTHER_BLANK = re.compile(r"[\t\n\r\v\f]+")
 
 
-def read(attribute: UrdfAttribute, text: str) -> Reading:
+def read(attribute: AttributeDefinition, text: str) -> Reading:
     """How the text of an attribute is read, as it is in the file, tabs and line breaks included."""
     kind = attribute.type
-    if attribute.choices:
-        if text in attribute.choices:
+    if listed := attribute.listed:
+        if text in listed:
             return AS_WRITTEN
-        expected = "one of " + ", ".join(attribute.choices)
+        expected = "one of " + ", ".join(listed)
         return Reading(Outcome.NOT_A_CHOICE, 0, len(text), refused=True, expected=expected)
     if kind not in _SIZES and kind not in _EXPECTED:
         return AS_WRITTEN
@@ -104,9 +103,7 @@ def _cause(rest: str) -> Cause:
     return {",": Cause.COMMA, "x": Cause.HEXADECIMAL, "X": Cause.HEXADECIMAL}.get(rest[0], Cause.TRAILING)
 
 
-# Why something does not fit URDF's table: the explaining side of the walk.
-#
-# Loaded only when there is something to explain.
+# Why something does not fit URDF's table.
 
 
 _ASKED_BY_RULES = frozenset(("inertia", "limit", "mesh"))
@@ -115,127 +112,108 @@ _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
 
-class UrdfFindings:
-    """The problems of one document, collected during its walk."""
+class UrdfFindings(Findings):
+    """The problems of one URDF document, collected during its walk."""
 
-    def __init__(self, source: Source, version: Version) -> None:
-        self.source = source
-        self.version = version
-        self.customs: list[Element] = []
-        """Prefixed elements in standard ones."""
-        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Prefixed elements → the standard ones in them that could be beside them."""
-        self.found: list[object] = []
-        self.stray: set[Element] = set()
+    def __init__(self, document: Document, version: Version) -> None:
+        super().__init__(document, version)
         self.unknown: dict[tuple[str, str], list[Element]] = {}
-        self.strange: Counter[Element] = Counter()
-        """How many unknown attributes an element has."""
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
         self.parents: dict[Element, Element] = {}
         """The elements around the unknown ones; xacro's conditions around them do not count."""
-        self.places: dict[Element, UrdfElement] = {}
-        """The definitions of elements with something unknown in them."""
+        self.places: dict[Element, Definition] = {}
+        """The definitions of elements with something unknown in them, of the newest version."""
 
     # Elements
 
-    def unexpected(self, child: Element, parent: Element, place: UrdfElement) -> None:
-        """A child that the table does not list."""
+    def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
         name = child.name
+        newest = _newest(place)
         if ":" in name:
-            self.customs.append(child)
-            if displaced := tuple(standard_inside(child, parent, place)):
-                self.displaced[child] = displaced
-            return
-        if place.name == "geometry":
-            return  # a shape, in its way
+            self.custom(child, parent, newest)
+        elif name in newest.children:
+            self.too_new(child, name, history.since(place, name))
+            return newest.children[name]
+        elif place.name != "geometry":  # otherwise a shape, in its way
+            self.unknown_child(child, parent, newest)
+        return None
+
+    def unknown_child(self, child: Element, parent: Element, place: Definition) -> None:
         self.places[parent] = place
         self.parents[child] = parent
-        self.unknown.setdefault((place.name, name), []).append(child)
+        self.unknown.setdefault((place.name, child.name), []).append(child)
 
-    def repeated(self, element: Element, first: Element, parent: Element, place: UrdfElement) -> None:
-        if place.name == "geometry":
+    def repeated(self, element: Element, first: Element, parent: Element) -> bool:
+        if parent.name == "geometry":
             self.found.append(problems.SeveralShapes(element, first))
         else:
             self.found.append(problems.RepeatedElement(element, first, parent))
+        return True
 
-    def shape(self, geometry: Element, place: UrdfElement, seen: dict[str, Element]) -> None:
+    def shapes(self, geometry: Element, place: Definition) -> None:
         """A geometry: urdfdom looks at its first element and at nothing else."""
+        newest = _newest(place)
         first, *others = list(geometry.children()) or [geometry]
+        seen = {first.name}
         for other in others:
-            if other.name not in place.children:
+            if other.name not in newest.children:
                 if ":" not in other.name:
-                    self.places[geometry] = place
-                    self.parents[other] = geometry
-                    self.unknown.setdefault((place.name, other.name), []).append(other)
-            elif other.name != first.name and seen.get(other.name) is other:
+                    self.unknown_child(other, geometry, newest)
+            elif other.name not in seen:
+                seen.add(other.name)
                 self.found.append(problems.SeveralShapes(other, first))
 
-    def missing_child(self, parent: Element, name: str) -> None:
-        place = self.places.get(parent)
-        if place and any(meant_child(child, place) == name for child in parent.children()):
+    def missing(self, parent: Element, place: Definition, name: str) -> None:
+        known = self.places.get(parent)
+        if known and any(meant_child(child, known) == name for child in parent.children()):
             return  # it is there, misspelled
         if parent.name != "inertial" and name != "geometry":  # which rules look at
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
-    def too_new(self, element: Element, since: Version) -> None:
-        self.found.append(
-            urdf_problems.FeatureAboveVersion(element, element.name, str(since), str(self.version))
-        )
-
-    def stray_text(self, element: Element) -> None:
-        if element not in self.stray:
-            self.stray.add(element)
-            span = stray_line(element)
-            if span is not None:
-                self.found.append(problems.StrayText(span, element))
+    def too_new(self, place: Element | Value, name: str, since: Version) -> None:
+        self.found.append(urdf_problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
 
     # Attributes
 
-    def attribute(self, element: Element, definition: UrdfElement, key: str, text: str) -> None:
-        """An attribute that is unknown, too new, or whose value is not accepted at once."""
-        known = definition.attributes.get(key)
+    def attribute(
+        self, element: Element, parent: Element, definition: Definition, key: str, text: str
+    ) -> None:
+        newest = _newest(definition)
+        known = newest.attributes.get(key)
         if known is None:
-            if ":" not in key:
-                self.places[element] = definition
-                self.strange[element] += 1
-                if self.strange[element] > MOST:
-                    return
+            self.places[element] = newest
+            if not self.is_one_too_many(element):
                 self.unknown_values.setdefault((element.name, key), []).append(Value(element, key, text))
             return
-        if known.since > self.version:
-            value = Value(element, key, text)
-            self.found.append(
-                urdf_problems.FeatureAboveVersion(value, key, str(known.since), str(self.version))
-            )
+        if key not in definition.attributes:
+            self.too_new(Value(element, key, text), key, history.since(definition, f"@{key}"))
         self.attribute_value(element, known, text)
 
-    def attribute_value(self, element: Element, known: UrdfAttribute, text: str) -> None:
+    def attribute_value(self, element: Element, known: AttributeDefinition, text: str) -> None:
         """The value of a known attribute, as it is in the file."""
         value = Value(element, known.name, text)
         if known.type == "version":
             return  # which a rule looks at
         if not text.strip():
             # Empty names belong to the analysis of names.
-            if known.name != "name" and (known.is_number or known.required):
+            if known.name != "name" and (known.type in COUNTS or known.required):
                 self.found.append(problems.MissingAttribute(element, known.name, empty=True))
         else:
             self.judge(value, known)
 
-    def missing_attributes(self, element: Element, missing: tuple[str, ...]) -> None:
-        if place := self.places.get(element):
-            meant = {meant_attribute(element, key, place) for key in element.attributes}
-            missing = tuple(each for each in missing if each not in meant)
-            if not missing:
-                return
-        parent = element.parent
-        name = element.name
-        if name == "axis" and not _moves(parent):
+    def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        if (place := self.places.get(element)) and any(
+            meant_attribute(element, key, place) == name for key in element.attributes
+        ):
             return
-        if name == "texture" and parent is not None and parent.has("color"):
+        parent = element.parent
+        if element.name == "axis" and not _moves(parent):
+            return
+        if element.name == "texture" and parent is not None and parent.has("color"):
             return  # the color is taken
         self.stray.add(element)  # its text is where the value was put
-        if name not in _ASKED_BY_RULES:
-            self.found += [problems.MissingAttribute(element, each, empty=False) for each in missing]
+        if element.name not in _ASKED_BY_RULES:
+            self.found.append(problems.MissingAttribute(element, name, empty=False))
 
     def dynamics(self, element: Element) -> None:
         """An element ``dynamics`` with neither of the two attributes of which it needs one."""
@@ -244,47 +222,47 @@ class UrdfFindings:
 
     # Values
 
-    def setting(self, element: Element, known: UrdfAttribute) -> None:
+    def value(self, element: Element, parent: Element, definition: Definition) -> None:
         """A number or flag in ``<gazebo>``, in the attribute ``value`` or as text."""
         from sdfcheck.formats.sdf.values import read as read_as_sdf
 
         value = element.attribute("value") or element.own_value
-        if known.type == "flag":
+        if definition.type == "flag":
             reading = misread(0, len(value.text), Cause.NOT_A_BOOLEAN, "false")
         else:
-            reading = read_as_sdf(known.type, value.text, required=True)
+            reading = read_as_sdf(definition.type or "", value.text, required=True)
         if reading.outcome is Outcome.EMPTY:
-            self.found.append(problems.MalformedValue(value, known, reading, element.span))
+            self.found.append(problems.MalformedValue(value, definition, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
-            self.found += problem_of(value, known, reading)
+            self.found += problem_of(value, definition, reading)
 
-    def judge(self, value: Value, known: UrdfAttribute) -> None:
+    def judge(self, value: Value, known: AttributeDefinition) -> None:
         """Turn the reading of a value into the problem that it is."""
         text = _written(value)
         reading = read(known, text)
         if reading.is_fine or is_expression(text):
             return
         if reading.outcome is Outcome.NOT_A_CHOICE:
-            near = suggest(text, known.choices)
-            self.found.append(problems.UnknownChoice(value, known.choices, near, refused=True))
+            near = suggest(text, known.listed)
+            self.found.append(problems.UnknownChoice(value, known.listed, near, refused=True))
         else:
             self.found += problem_of(value, known, reading)
 
     def expressions(self, root: Element) -> None:
         """Expressions of xacro that were not replaced, reported once: one step was left out."""
-        comments = [match.span() for match in _COMMENT.finditer(self.source.text)]
+        source = self.document.source
+        comments = [match.span() for match in _COMMENT.finditer(source.text)]
         places = [
             match.span()
-            for match in _EXPRESSION.finditer(self.source.text)
+            for match in _EXPRESSION.finditer(source.text)
             if not any(start <= match.start() < end for start, end in comments)
         ]
         if places:
-            first = self.source.span(*places[0])
+            first = source.span(*places[0])
             values = tuple(_values_with_expressions(root))
             self.found.append(urdf_problems.UnexpandedExpression(first, len(places), values))
 
     def conclude(self) -> list[object]:
-        """Everything found, once the walk is over."""
         for uses in self.unknown.values():
             parent = self.parents[uses[0]]
             near = meant_child(uses[0], self.places[parent])
@@ -309,7 +287,11 @@ class UrdfFindings:
         return folded(self.found)
 
 
-def _needs(parent: Element, place: UrdfElement, child: str) -> bool:
+def _newest(place: Definition) -> Definition:
+    return history.in_version(place, VERSIONS[-1]) or place
+
+
+def _needs(parent: Element, place: Definition, child: str) -> bool:
     """Whether the element cannot do without such a child."""
     if place.name == "robot" and child == "link":
         return True

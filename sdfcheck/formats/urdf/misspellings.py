@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from sdfcheck.formats.near_names import suggest
-from sdfcheck.formats.urdf.table import UrdfElement, known_parents, urdf
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.urdf.schema import known_parents, urdf
 from sdfcheck.source.document import Element
 
 
@@ -19,7 +20,7 @@ def misspells(element: Element, name: str) -> bool:
     return name in attributes or name in children
 
 
-def definition(element: Element) -> UrdfElement | None:
+def definition(element: Element) -> Definition | None:
     """The definition of an element by its place in the document; None where URDF has no such element.
 
     In a macro of xacro it is that of the first place where such an element may be.
@@ -39,7 +40,7 @@ def definition(element: Element) -> UrdfElement | None:
 
 
 @cache
-def _places() -> tuple[UrdfElement, ...]:
+def _places() -> tuple[Definition, ...]:
     """All definitions, from the outside in."""
     places = [urdf()]
     for place in places:
@@ -47,7 +48,7 @@ def _places() -> tuple[UrdfElement, ...]:
     return tuple(places)
 
 
-def meant_child(child: Element, place: UrdfElement) -> str | None:
+def meant_child(child: Element, place: Definition) -> str | None:
     """The name that an unknown element was probably meant to have, among those that its parent lacks."""
     name = child.name
     if name in place.children or child.parent is None:
@@ -61,7 +62,7 @@ def meant_child(child: Element, place: UrdfElement) -> str | None:
     return near if not content or content & place.children[near].children.keys() else None
 
 
-def meant_attribute(element: Element, name: str, place: UrdfElement) -> str | None:
+def meant_attribute(element: Element, name: str, place: Definition) -> str | None:
     """The name that an unknown attribute was probably meant to have, among those that are missing."""
     if name in place.attributes:
         return None

@@ -1,19 +1,18 @@
-"""The one walk over a URDF document: every element against the table.
-
-As in SDFormat's survey, the walk notes where the standard elements are, asks the
-table's quick checks, and leaves to :mod:`sdfcheck.formats.urdf.findings` whatever they
-do not accept at once.
-"""
+"""The one walk over a URDF document: every element against the table of its version."""
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, urdf
-from sdfcheck.source.document import Aside, Document, Element
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.problems import EmptyName
+from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, extension, urdf
+from sdfcheck.formats.version import Version
+from sdfcheck.formats.walk import Walk
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import is_expression
 
@@ -21,9 +20,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.topology import Displaced
     from sdfcheck.formats.urdf.findings import UrdfFindings
 
-_REMEMBERED = 1000
-"""So many accepted texts are kept for each attribute: most robots repeat themselves."""
-
+_NAMED = ("link", "joint", "material")
 _WRAPPED_VALUE = re.compile(r"=\s*(?:\"[^\"<]*[\t\n\r]|'[^'<]*[\t\n\r])")
 
 
@@ -58,11 +55,21 @@ class UrdfSurvey:
             self.problems = walk.run(self.root)
             self.index = walk.index
             if walk.explained:
-                self.customs, self.displaced = walk.explained.customs, walk.explained.displaced
+                self.customs = [custom for custom, _, _ in walk.explained.customs]
+                self.displaced = walk.explained.displaced
 
     def top(self, name: str) -> list[Element]:
         """The children of ``robot`` of that name."""
         return [element for element in self.index.get(name, ()) if element.parent is self.root]
+
+    @property
+    def empty_names(self) -> Iterator[EmptyName]:
+        """The names of the robot, its links, joints and materials that are empty or blank."""
+        tops = [self.root, *(element for kind in _NAMED for element in self.top(kind))]
+        for element in filter(None, tops):
+            name = element.attribute("name")
+            if name is not None and not name.text.strip():
+                yield EmptyName(name)
 
 
 def survey(document: Document) -> UrdfSurvey:
@@ -72,118 +79,59 @@ def survey(document: Document) -> UrdfSurvey:
 
 def problems(document: Document) -> list[object]:
     """Problems that a URDF document has because of its shape."""
-    return survey(document).problems
+    surveyed = survey(document)
+    return [*surveyed.problems, *surveyed.empty_names]
 
 
-class UrdfWalk:
-    """One walk; what it meets that is not accepted at once goes to its findings."""
+class UrdfWalk(Walk["UrdfFindings"]):
+    """The walk over a robot, or over a part of one."""
 
     def __init__(self, document: Document, version: Version) -> None:
-        self.source = document.source
-        self.version = version
-        self.index: defaultdict[str, list[Element]] = defaultdict(list)
-        self.explained: UrdfFindings | None = None
+        super().__init__(document, version)
         # A tab or line break in a value matters, and the parser has turned it into a space.
         self.is_wrapped = _WRAPPED_VALUE.search(document.source.text) is not None
 
-    @property
-    def findings(self) -> UrdfFindings:
-        """The explaining side, loaded when there is something to explain."""
-        if self.explained is None:
-            from sdfcheck.formats.urdf.findings import UrdfFindings
+    def explain(self) -> UrdfFindings:
+        from sdfcheck.formats.urdf.findings import UrdfFindings
 
-            self.explained = UrdfFindings(self.source, self.version)
-        return self.explained
+        return UrdfFindings(self.document, self.version)
 
     def run(self, root: Element) -> list[object]:
-        definition = urdf()
-        self.index["robot"].append(root)
-        self.attributes(root, definition)
-        self.children(root, definition)
-        if is_expression(self.source.text):
+        self.element(root, root, urdf(self.version))
+        if is_expression(self.document.source.text):
             self.findings.expressions(root)
         return self.conclude()
 
     def conclude(self) -> list[object]:
-        """All problems, once every element is walked over."""
         for dynamics in self.index.get("dynamics", ()):
             if not {"damping", "friction"}.intersection(dynamics.attributes):
                 self.findings.dynamics(dynamics)
-        if "<gazebo" in self.source.text:
-            self.extensions()
-        return self.explained.conclude() if self.explained else []
+        if "<gazebo" in self.document.source.text:
+            self.settings()
+        return super().conclude()
 
-    def children(self, parent: Element, place: UrdfElement) -> None:  # noqa: C901 - the hot loop
-        """Check the children of one container, and theirs."""
-        allowed = place.children
-        seen: dict[str, Element] = {}
-        if (text := parent.text) and not text.isspace():
-            self.findings.stray_text(parent)
-        for child in parent.nodes:
-            tag = child.name
-            if (text := child.tail) and not text.isspace():
-                self.findings.stray_text(parent)
-            if isinstance(child, Aside):
-                continue
-            definition = allowed.get(tag)
-            if definition is None:
-                self.findings.unexpected(child, parent, place)
-                continue
-            if tag not in seen:
-                seen[tag] = child
-            elif definition.single:
-                self.findings.repeated(child, seen[tag], parent, place)
-                continue
-            self.element(child, definition)
-        for name in place.required_children:
-            if name not in seen:
-                self.findings.missing_child(parent, name)
-        if parent.name == "geometry" and not (len(seen) == len(parent.nodes) == 1):
-            self.findings.shape(parent, place, seen)
+    def children(self, parent: Element, place: Definition) -> None:
+        super().children(parent, place)
+        if parent.name == "geometry" and len(parent.nodes) > 1:
+            self.findings.shapes(parent, place)
 
-    def element(self, element: Element, definition: UrdfElement) -> None:
-        """Check an element that is where it may, and all that is in it."""
-        self.index[element.name].append(element)
-        self.attributes(element, definition)
-        if definition.since > self.version:
-            self.findings.too_new(element, definition.since)
-        if not definition.open and (definition.children or element.nodes or element.text):
-            self.children(element, definition)
+    def attributes(self, element: Element, parent: Element, definition: Definition) -> None:
+        super().attributes(element, parent, definition)
+        for key, text in element.attributes.items() if self.is_wrapped else ():
+            known = definition.attributes.get(key)
+            if known is not None and known.type in COUNTS and known.accepts(text):
+                self.findings.attribute_value(element, known, text)
 
-    def attributes(self, element: Element, definition: UrdfElement) -> None:
-        allowed = definition.attributes
-        required = 0
-        for key, text in element.attributes.items():
-            attribute = allowed.get(key)
-            if attribute is not None and attribute.required:
-                required += 1
-            if attribute is None or attribute.since > self.version:
-                self.findings.attribute(element, definition, key, text)
-                continue
-            if text not in attribute.sound:
-                if not attribute.accepts(text):
-                    self.findings.attribute(element, definition, key, text)
-                    continue
-                if len(attribute.sound) < _REMEMBERED:
-                    attribute.sound.add(text)
-            if self.is_wrapped and attribute.is_number:
-                self.findings.attribute_value(element, attribute, text)
-        if required < len(definition.required_attributes):
-            missing = tuple(name for name in definition.required_attributes if name not in element.attributes)
-            self.findings.missing_attributes(element, missing)
-
-    def extensions(self) -> None:
+    def settings(self) -> None:
         """The values of the settings in ``<gazebo>``."""
-        from sdfcheck.formats.urdf.table import extension
-
-        settings = extension().children
+        known = extension().children
         for block in self.index.get("gazebo", ()):
             for child in block.children():
-                definition = settings.get(child.name)
-                if definition is not None and definition.value is not None:
-                    text = child.attributes.get("value") or child.content
-                    if not definition.value.accepts(text):
-                        self.findings.setting(child, definition.value)
+                setting = known.get(child.name)
+                if setting is not None and not setting.accepts(
+                    child.attributes.get("value") or child.content
+                ):
+                    self.findings.value(child, block, setting)
 
 
 def _is_unexpanded(document: Document) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.table import Range
+from sdfcheck.formats.table import Range
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sdfcheck.formats import usual
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.likely import Usage, plain, words_in

@@ -7,12 +7,11 @@ from collections.abc import Iterable, Iterator
 
 from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
-from sdfcheck.formats.sdf.history import unit
-from sdfcheck.formats.sdf.version import Version
-from sdfcheck.formats.urdf.table import UrdfAttribute, extension
+from sdfcheck.formats.schema import RowInVersion
 from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import Place
 from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import Snippet, plain
@@ -20,7 +19,6 @@ from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED, is_literal
 from sdfcheck.xacro.static.definitions import Definitions, Macro
 
 _FILENAME = re.compile(r"filename\s*=\s*[\"']([^\"']+)[\"']")
-_IN_GAZEBO = ("robot", "gazebo")
 
 
 def element_items(around: tuple[str, ...], version: Version, *, is_urdf: bool) -> Iterator[Item]:
@@ -36,32 +34,23 @@ def element_items(around: tuple[str, ...], version: Version, *, is_urdf: bool) -
 
 
 def _children(place: Spot, version: Version) -> Iterator[Item]:
-    if place.definition is not None:
-        for name, child in place.definition.children.items():
-            is_old = child.deprecated or child.multiplicity == "-1"
-            detail = " ".join(filter(None, (child.type or "", unit(child) or "")))
-            rank = 1 if name in place.definition.required_children else 8 if is_old else 3
-            found = _item(name, Spot(child, place.definition), rank, detail, is_old)
-            yield found._replace(is_repeatable=not child.single)
-    elif place.urdf is not None:
-        for name, element in place.urdf.children.items():
-            rank = 1 if element.required else 6 if element.consumers else 3
-            detail = f"read by {', '.join(element.consumers)}" if element.consumers else ""
-            found = _item(name, Spot(urdf=element, path=(*place.path, name)), rank, detail)
-            yield found._replace(is_repeatable=not element.single)
-        if place.path == _IN_GAZEBO:
-            yield from _in_gazebo(version)
+    for name, child in place.definition.children.items():
+        is_old = child.deprecated or child.multiplicity == "-1"
+        detail = f"read by {', '.join(child.consumers)}" if child.consumers else _detail(child)
+        is_required = name in place.definition.required_children
+        rank = 1 if is_required else 8 if is_old else 6 if child.consumers else 3
+        found = _item(name, Spot(child, place.definition), rank, detail, is_old)
+        yield found._replace(is_repeatable=not child.single)
+    for name in ("plugin", "sensor", "light") if place.is_block else ():
+        yield _item(name, spot(["robot", "gazebo", name], version), 2)
 
 
-def _in_gazebo(version: Version) -> Iterator[Item]:
-    for name, element in extension().children.items():
-        yield _item(name, Spot(urdf=element, path=(*_IN_GAZEBO, name)), 3)
-    for name in ("plugin", "sensor", "light"):
-        yield _item(name, spot([*_IN_GAZEBO, name], version), 2)
+def _detail(place: RowInVersion) -> str:
+    return " ".join(filter(None, (place.type or "", " | ".join(place.units))))
 
 
 def _item(name: str, place: Spot | None, rank: int, detail: str = "", is_old: bool = False) -> Item:
-    snippet = Snippet().element(name, place or Spot())
+    snippet = Snippet().element(name, place.definition if place is not None else None)
     return Item(name, Sort.ELEMENT, plain(snippet), snippet, detail, rank, is_old)
 
 
@@ -102,26 +91,14 @@ def attribute_items(context: Context, version: Version, *, is_urdf: bool) -> Ite
     around = (*context.around, context.tag)
     given = {name for name, _ in context.given}
     place = spot(around, version)
-    if place is not None and place.definition is not None:
-        for name, attribute in place.definition.attributes.items():
-            if name not in given:
-                choices = attribute.choices.listed if attribute.choices else ()
-                snippet = Snippet().attribute(name, choices)
-                rank = 1 if attribute.required else 3
-                yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, attribute.type, rank)
-    elif place is not None and place.urdf is not None:
-        for name, own in place.urdf.attributes.items():
-            if name not in given:
-                yield _urdf_attribute(name, own)
+    for name, attribute in place.definition.attributes.items() if place is not None else ():
+        if name not in given:
+            snippet = Snippet().attribute(name, attribute.listed)
+            rank = 1 if attribute.required else 3
+            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, _detail(attribute), rank)
     if ":" in context.tag and not context.tag.startswith("xacro:"):
         yield from _custom_attributes(context.tag, given, is_urdf=is_urdf)
     yield from _carried(around, given, is_urdf=is_urdf)
-
-
-def _urdf_attribute(name: str, attribute: UrdfAttribute) -> Item:
-    snippet = Snippet().attribute(name, attribute.choices)
-    detail = " ".join((attribute.type, " | ".join(attribute.units))).strip()
-    return Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, detail, 1 if attribute.required else 3)
 
 
 def _custom_attributes(tag: str, given: set[str], *, is_urdf: bool) -> Iterator[Item]:

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from sdfcheck.formats import srdf
 from sdfcheck.formats.describe.spot import spot
-from sdfcheck.formats.sdf.schema import NOT_GIVEN
-from sdfcheck.formats.sdf.version import Version
 from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import plain
@@ -117,21 +116,14 @@ def _of_format(context: Context, version: Version) -> Iterator[Item]:
     place = spot(around, version)
     if place is None:
         return
-    kind, default = "", ""
-    choices: tuple[str, ...] = ()
-    if place.definition is not None:
-        own = place.definition.attributes.get(context.attribute) if context.attribute else place.definition
-        if own is not None:
-            kind, default = own.type or "", own.default or ""
-            choices = own.choices.listed if own.choices else ()
-    elif place.urdf is not None:
-        value = place.urdf.attributes.get(context.attribute) if context.attribute else place.urdf.value
-        if value is not None:
-            kind, choices, default = value.type, value.choices, value.default
+    own = place.definition.attributes.get(context.attribute) if context.attribute else place.definition
+    if own is None:
+        return
+    choices, default = own.listed, own.given_default
     yield from (Item(choice, Sort.CHOICE, choice, rank=2) for choice in choices if choice)
-    if kind == "bool" and not choices:
+    if own.type == "bool" and not choices:
         yield from (Item(word, Sort.CHOICE, word, rank=2) for word in ("true", "false"))
-    if default and default != NOT_GIVEN and not choices and kind != "bool":
+    if default and not choices and own.type != "bool":
         yield Item(default, Sort.CHOICE, default, detail="default", rank=7)
 
 

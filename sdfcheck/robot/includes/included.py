@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.near_names import suggest
+from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.problems import MisplacedElement, UnknownAttribute
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
-from sdfcheck.formats.sdf.table import stems
 from sdfcheck.formats.sdf.value_problems import text_problems
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.values import is_true
 from sdfcheck.source.altered import Altered
@@ -570,7 +570,7 @@ class _Entry:
         name = self.entry.name
         definition = defined_alone(name)
         if definition is None:
-            self.fault(self.entry, ParameterFault.UNKNOWN_ENTRY, suggestion=suggest(name, stems()))
+            self.fault(self.entry, ParameterFault.UNKNOWN_ENTRY, suggestion=suggest(name, SDF.table.stems()))
         return definition
 
     def each_child(self, target: Element, definition: Definition) -> None:

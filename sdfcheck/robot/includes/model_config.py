@@ -11,7 +11,7 @@ from enum import Enum
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
-from sdfcheck.formats.sdf.version import NEWEST
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.problems import SyntaxDefect

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Node
 from sdfcheck.robot.motion import mechanism

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.graph import Node, Scope
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Value

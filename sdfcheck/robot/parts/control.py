@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from itertools import takewhile
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.formats.urdf.table import UrdfAttribute, UrdfElement, control
+from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.urdf.schema import control
 from sdfcheck.robot.graph import Part
 from sdfcheck.robot.values import Number, lazy, parts
 from sdfcheck.source.text import is_expression
@@ -346,7 +347,7 @@ class Ros2Control(JointNames):
         return found
 
     @lazy
-    def known(self) -> tuple[tuple[Element, UrdfElement], ...]:
+    def known(self) -> tuple[tuple[Element, Definition], ...]:
         """The elements that ros2_control reads, itself first, each with what is allowed in it."""
         return tuple(_known(self.element, control()))
 
@@ -359,7 +360,7 @@ class Ros2Control(JointNames):
                     yield element, name
 
     @property
-    def unsound(self) -> Iterator[tuple[Value, UrdfAttribute]]:
+    def unsound(self) -> Iterator[tuple[Value, AttributeDefinition]]:
         """The attributes that are not of their kind, each with what it should be."""
         for element, definition in self.known:
             for name, attribute in definition.attributes.items():
@@ -368,7 +369,7 @@ class Ros2Control(JointNames):
                     yield value, attribute
 
     @property
-    def foreign(self) -> Iterator[tuple[Element, Element, UrdfElement]]:
+    def foreign(self) -> Iterator[tuple[Element, Element, Definition]]:
         """The elements that ros2_control does not know, each with the one that it is in."""
         for element, definition in self.known:
             for child in element.children():
@@ -419,7 +420,7 @@ class ControlTransmission(JointNames):
         return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
 
 
-def _known(element: Element, definition: UrdfElement) -> Iterator[tuple[Element, UrdfElement]]:
+def _known(element: Element, definition: Definition) -> Iterator[tuple[Element, Definition]]:
     yield element, definition
     for child in element.children():
         inner = definition.children.get(child.name)
@@ -427,13 +428,13 @@ def _known(element: Element, definition: UrdfElement) -> Iterator[tuple[Element,
             yield from _known(child, inner)
 
 
-def _is_sound(value: Value, attribute: UrdfAttribute) -> bool:
+def _is_sound(value: Value, attribute: AttributeDefinition) -> bool:
     """Is a value of the kind that ros2_control expects, or made by an expression?"""
     text = value.text.strip()
     if is_expression(text) or attribute.name == "type":
         return True
     if attribute.type == "bool":
         return text.lower() in {"true", "false"}
-    if attribute.choices:
-        return text in attribute.choices
+    if attribute.listed:
+        return text in attribute.listed
     return attribute.name not in _COUNTS or (text.isdecimal() and int(text) > 0)

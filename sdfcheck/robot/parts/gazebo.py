@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.formats.urdf.table import TRUE, extension, settings
+from sdfcheck.formats.urdf.schema import TRUE, all_settings, settings
 from sdfcheck.robot.graph import Model, Node, Part
 from sdfcheck.robot.reserved import NODES
 from sdfcheck.robot.values import lazy, parts
@@ -116,7 +116,7 @@ class GazeboBlock(Part):
             about = {"robot"}
         else:
             about = {kind for kind, part in (("link", self.link), ("joint", self.joint)) if part is not None}
-        known = extension().children if about else {}
+        known = all_settings() if about else {}
         for child in self.children():
             setting = known.get(child.name)
             if setting is not None and setting.about not in about:

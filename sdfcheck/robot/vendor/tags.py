@@ -8,9 +8,9 @@ from itertools import chain
 from pathlib import Path
 
 from sdfcheck.formats.near_names import nearest, suggest
-from sdfcheck.formats.sdf.schema import Definition, schema
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.text_pieces import part
-from sdfcheck.formats.sdf.version import NEWEST
 from sdfcheck.formats.vendor.definitions import (
     IGNORED,
     REFUSED,
@@ -25,6 +25,7 @@ from sdfcheck.formats.vendor.definitions import (
 )
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import Misreading, expected_of, misreading, out_of_range
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Scope
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of

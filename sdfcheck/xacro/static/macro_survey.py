@@ -11,8 +11,9 @@ from collections.abc import Iterable, Iterator
 from typing import cast
 
 from sdfcheck.formats.near_names import suggest
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.urdf.schema import VERSIONS, known_parents, urdf
 from sdfcheck.formats.urdf.survey import UrdfWalk
-from sdfcheck.formats.urdf.table import VERSIONS, UrdfElement, known_parents, urdf
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.static.definitions import is_free, lacks_prefix, visible_definitions
 from sdfcheck.xacro.static.prefixes import is_plain_call
@@ -44,21 +45,21 @@ class Bodies:
 class _BodyWalk(UrdfWalk):
     """The walk over a document, for elements that are not all there yet."""
 
-    def children(self, parent: Element, place: UrdfElement) -> None:
+    def children(self, parent: Element, place: Definition) -> None:
         if not is_unfinished(parent):
             super().children(parent, place)
             return
         self.content(parent, place)
         for name in place.required_children:
             if not parent.has(name) and not may_get(parent, name, place):
-                self.findings.missing_child(parent, name)
+                self.findings.missing(parent, place, name)
 
-    def content(self, parent: Element, place: UrdfElement) -> None:
+    def content(self, parent: Element, place: Definition) -> None:
         """Check each child for itself: what else will be there is not known."""
         for child in content(parent):
             definition = place.children.get(child.name)
             if definition is not None:
-                self.element(child, definition)
+                self.element(child, parent, definition)
             elif not place.open and not is_plain_call(child, visible_definitions(child.document)):
                 self.findings.unexpected(child, parent, place)
 
@@ -68,7 +69,7 @@ def is_unfinished(element: Element) -> bool:
     return any(map(_is_of_xacro, element.children()))
 
 
-def may_get(parent: Element, name: str, place: UrdfElement | None) -> bool:
+def may_get(parent: Element, name: str, place: Definition | None) -> bool:
     """May xacro put a child of that name into an element? A block is called after what it is."""
     put_in = [child for child in parent.children() if _is_of_xacro(child)]
     blocks = {child.attributes.get("name", "") for child in put_in if child.name == _BLOCK}
@@ -89,7 +90,7 @@ def content(parent: Element) -> Iterator[Element]:
             yield child
 
 
-def _place(body: Element) -> UrdfElement | None:
+def _place(body: Element) -> Definition | None:
     """Where a body belongs: at the first of the places that know most of it; None where none does."""
     if _is_of_others(body):
         return None
@@ -100,7 +101,7 @@ def _place(body: Element) -> UrdfElement | None:
         return robot.at(path)
     best, place = 0, None
     for path in _PLACES:
-        candidate = cast("UrdfElement", robot.at(path))
+        candidate = cast("Definition", robot.at(path))
         known, foreign = _fit(body, candidate)
         if known >= _SHARE * foreign and known - foreign > best:
             best, place = known - foreign, candidate
@@ -134,7 +135,7 @@ def _is_of_others(body: Element) -> bool:
     return bool(calls) and all(map(is_free, calls))
 
 
-def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
+def _fit(parent: Element, place: Definition) -> tuple[int, int]:
     """How many of the names inside an element are known at a place, and how many are foreign to URDF."""
     known = foreign = 0
     for child in content(parent):
@@ -152,6 +153,6 @@ def _fit(parent: Element, place: UrdfElement) -> tuple[int, int]:
     return known, foreign
 
 
-def _is_misspelled(name: str, place: UrdfElement) -> bool:
+def _is_misspelled(name: str, place: Definition) -> bool:
     """Whether an element is URDF's, but misspelled or in another place than its own."""
     return bool(known_parents(name)) or suggest(name, place.children) is not None

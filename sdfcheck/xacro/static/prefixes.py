@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from sdfcheck.formats.sdf import history
-from sdfcheck.formats.urdf import table
+from sdfcheck.formats.urdf import schema as table
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.problems import MissingXacroPrefix
 from sdfcheck.xacro.static.definitions import (

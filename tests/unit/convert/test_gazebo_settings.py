@@ -9,8 +9,8 @@ import pytest
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.sdf.version import NEWEST
-from sdfcheck.formats.urdf.table import extension, settings
+from sdfcheck.formats.urdf.schema import all_settings, settings
+from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
@@ -38,7 +38,7 @@ def test_each_place_is_one_of_the_newest_version(about: str) -> None:
 
 def test_settings_of_links_and_joints_have_a_place() -> None:
     hints = {"material", "preserveFixedJoint", "disableFixedJointLumping"}
-    for name, setting in extension().children.items():
+    for name, setting in all_settings().items():
         assert bool(setting.counterparts) is (setting.about in {"link", "joint"} and name not in hints), name
 
 

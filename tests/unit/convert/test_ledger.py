@@ -16,7 +16,7 @@ from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element, read
 
 FIXTURES = Path(__file__).parents[3] / "fixtures" / "robots"

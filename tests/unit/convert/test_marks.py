@@ -147,7 +147,7 @@ def test_other_models_stay_models() -> None:
 
 
 def test_marks_are_only_where_frames_are() -> None:
-    from sdfcheck.formats.sdf.version import Version
+    from sdfcheck.formats.version import Version
 
     old = urdf_to_sdf(document(HEAVY, "robot.urdf"), Options(Version(1, 6), FixedJoints.MERGE))
     assert "urdf:" not in old.text

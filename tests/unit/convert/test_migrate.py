@@ -14,7 +14,7 @@ from sdfcheck.files.library import Library
 from sdfcheck.formats.sdf.problems import UnknownElement
 from sdfcheck.formats.sdf.structure import structure_problems
 from sdfcheck.formats.sdf.survey import problems
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, read
 
 CASES = sorted((Path(__file__).parents[3] / "fixtures" / "convert" / "sdf-to-sdf").iterdir())

@@ -12,7 +12,7 @@ from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read

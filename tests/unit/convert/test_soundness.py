@@ -13,7 +13,7 @@ from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.soundness import new_refusals
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options, PackageUris
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.source.document import Document, read
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.reading import Outcome
-from sdfcheck.formats.sdf.choices import Verdict
-from sdfcheck.formats.sdf.schema import AttributeDefinition, Definition, schema
+from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import read_at
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.version import Version
 
 TEXTS = [
     "", " ", "0", "1", "-1", "+1", "1.", ".5", "-0.5", ".", "-", "+", "1e5", "1E-5", "1e", "1e400",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.sdf.table import at, spans
+from sdfcheck.formats.table import at, spans
 from tables.sdf import DATA, Merged, ranges, render
 
 FACTS = Path(__file__).parents[4] / "shared" / "facts" / "sdf"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf import history
-from sdfcheck.formats.sdf.schema import Definition, schema
-from sdfcheck.formats.sdf.version import Version
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.version import Version
 
 
 def at(version: str, place: str) -> Definition:
@@ -129,8 +130,8 @@ def test_the_same_place_in_another_version() -> None:
 
 
 def test_units() -> None:
-    assert history.unit(at("1.12", "world:world/gravity")) == "m/s^2"
-    assert history.unit(at("1.12", "link:link")) is None
+    assert at("1.12", "world:world/gravity").units == ("m/s^2",)
+    assert at("1.12", "link:link").units == ()
 
 
 def test_reserved_names_are_checked_on_some_elements_only() -> None:

@@ -30,7 +30,7 @@ def following(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "\n @name",
         "\n @grip\t13-\tdouble\t0\t1.0\n @name",
     )
-    change(copy / "sdfcheck/formats/sdf/version.py", "", "Version(1, 12)", "Version(1, 13)")
+    change(copy / "sdfcheck/formats/version.py", "", "Version(1, 12)", "Version(1, 13)")
     return copy
 
 

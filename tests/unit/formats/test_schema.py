@@ -6,8 +6,9 @@ from collections.abc import Iterator
 
 import pytest
 
-from sdfcheck.formats.sdf.schema import Definition, Schema, schema
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.schema import Definition, Schema
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
 
 
 def version(text: str) -> Version:

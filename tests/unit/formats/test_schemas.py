@@ -14,7 +14,7 @@ from sdfcheck.formats.export.rng import rng
 from sdfcheck.formats.export.xsd import xsd
 from sdfcheck.formats.sdf.lexical import definitions, name_of
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.sdf.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, Version
 
 FIXTURES = Path(__file__).parents[3] / "fixtures"
 SOUND = ("diff_drive/model.sdf", "two_link_arm/model.sdf", "workcell/workcell.world")

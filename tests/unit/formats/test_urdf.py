@@ -5,11 +5,13 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome
+from sdfcheck.formats.schema import AttributeDefinition
+from sdfcheck.formats.sdf import history
 from sdfcheck.formats.urdf.findings import read
-from sdfcheck.formats.urdf.table import VERSIONS, UrdfAttribute, extension, known_parents, urdf
+from sdfcheck.formats.urdf.schema import VERSIONS, extension, known_parents, urdf
 
 
-def attribute(path: str, name: str) -> UrdfAttribute:
+def attribute(path: str, name: str) -> AttributeDefinition:
     element = urdf().at(path)
     assert element is not None, path
     return element.attributes[name]
@@ -25,12 +27,16 @@ def test_elements_and_attributes_are_found_by_path() -> None:
     limit = urdf().at("joint/limit")
     assert limit is not None
     assert limit.required_attributes == ("effort", "velocity")
-    assert limit.attributes["jerk"].since == VERSIONS[2]
+    assert history.since(limit, "@jerk") == VERSIONS[2]
     assert limit.attributes["effort"].units == ("N m", "N")
     assert urdf().at("joint/limits") is None
-    capsule = urdf().at("link/collision/geometry/capsule")
-    assert capsule is not None
-    assert capsule.since == VERSIONS[1]
+    geometry = urdf().at("link/collision/geometry")
+    assert geometry is not None
+    assert history.since(geometry, "capsule") == VERSIONS[1]
+    assert "capsule" in geometry.children
+    oldest = urdf(VERSIONS[0]).at("link/collision/geometry")
+    assert oldest is not None
+    assert "capsule" not in oldest.children
 
 
 def test_blocks_are_shared_by_the_places_that_use_them() -> None:
@@ -44,7 +50,7 @@ def test_blocks_are_shared_by_the_places_that_use_them() -> None:
 def test_multiplicity() -> None:
     link = urdf().children["link"]
     assert not link.single
-    assert link.required
+    assert "link" in urdf().required_children
     assert link.children["inertial"].single
     assert link.children["inertial"].required_children == ("mass", "inertia")
 
@@ -56,9 +62,7 @@ def test_content_of_others_is_open() -> None:
 
 
 def test_settings_in_gazebo_that_are_numbers() -> None:
-    value = extension().children["mu1"].value
-    assert value is not None
-    assert value.type == "double"
+    assert extension().children["mu1"].type == "double"
 
 
 def test_known_parents() -> None:
@@ -147,6 +151,6 @@ def test_choices() -> None:
 
 @pytest.mark.parametrize("text", ["1", "1 2 3", "1 2 3 4", "x", "1e999", "", "1 ", "-0.5", "0 0 1m", "nan"])
 @pytest.mark.parametrize("known", [SIZE, LOWER, RGBA, XYZ], ids=repr)
-def test_the_quick_check_accepts_nothing_that_reading_does_not(known: UrdfAttribute, text: str) -> None:
+def test_the_quick_check_accepts_nothing_that_reading_does_not(known: AttributeDefinition, text: str) -> None:
     if known.accepts(text):
         assert read(known, text).is_fine

@@ -9,8 +9,8 @@ import pytest
 
 from sdfcheck.formats.sdf import problems
 from sdfcheck.formats.urdf import problems as urdf_problems
+from sdfcheck.formats.urdf.schema import VERSIONS
 from sdfcheck.formats.urdf.survey import UrdfSurvey, survey
-from sdfcheck.formats.urdf.table import VERSIONS
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 

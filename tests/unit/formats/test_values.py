@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sdfcheck.formats.reading import Cause, Outcome, Reading
-from sdfcheck.formats.sdf.table import Range
 from sdfcheck.formats.sdf.values import floats, number, read
+from sdfcheck.formats.table import Range
 
 FINE = Outcome.AS_WRITTEN
 BAD = Outcome.MALFORMED

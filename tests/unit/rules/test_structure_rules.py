@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST
-from sdfcheck.formats.urdf.table import VERSIONS
+from sdfcheck.formats.urdf.schema import VERSIONS
+from sdfcheck.formats.version import NEWEST, OLDEST
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.table import Row, at
-from sdfcheck.formats.sdf.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.table import Row, at
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.source.record import NamedTuple
 
 

@@ -1,4 +1,9 @@
-"""Reading data/sdf.txt: the lines as they are, parsed block by block when somebody asks."""
+"""The rows of the formats' tables: the lines as they are, taken apart block by block when somebody asks.
+
+One line an element or ``@attribute``, below its parent: name, life, type, multiplicity, default, ``key=value`` …,
+separated by tabs. A life is the versions 1.x that have it (``6-``: since 1.6), empty as long as its parent. A type
+``^stem`` goes on in the block ``stem``. Blank lines separate the blocks; the first holds comments.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +11,7 @@ from functools import cache
 from math import inf
 from pathlib import Path
 
-from sdfcheck.formats.sdf.version import NEWEST
-
-_FILE = Path(__file__).parents[1] / "data" / "sdf.txt"
+DATA = Path(__file__).parent / "data"
 
 
 class Row:
@@ -57,7 +60,7 @@ class Row:
         return not self.life or any(first <= minor <= last for first, last in spans(self.life))
 
 
-def at(field: str, minor: int) -> str:
+def at(field: str, minor: float) -> str:
     """The value of a field of the form ``first|5:later`` in version 1.``minor``."""
     if "|" not in field:
         return field
@@ -71,34 +74,45 @@ def at(field: str, minor: int) -> str:
 
 
 def newest_name(top: Row) -> str:
-    """The name of a definition's element, without its path."""
-    return at(top.extra("name"), NEWEST.minor) or top.name
+    """The name of a block's element, without its path."""
+    return at(top.extra("name"), inf) or top.name
 
 
 @cache
-def spans(life: str) -> tuple[tuple[int, int], ...]:
+def spans(life: str) -> tuple[tuple[int, float], ...]:
     """The minor versions of a life such as ``2-6,10-``, both ends included."""
     found = []
     for span in life.split(","):
         first, is_open, last = span.partition("-")
-        found.append((int(first), int(last or (NEWEST.minor if is_open else first))))
+        found.append((int(first), int(last or first) if last or not is_open else inf))
     return tuple(found)
 
 
-@cache
-def block(stem: str) -> Row:
-    """One definition."""
-    return Row(_blocks()[stem])
+class Table:
+    """The blocks of one file in ``data``, by the name of their first row."""
 
+    __slots__ = ("_blocks", "_rows", "_stem")
 
-def stems() -> list[str]:
-    return sorted(_blocks())
+    def __init__(self, stem: str) -> None:
+        self._stem = stem
+        self._blocks: dict[str, str] = {}
+        self._rows: dict[str, Row] = {}
 
+    def block(self, stem: str) -> Row:
+        """The element that a block defines."""
+        if stem not in self._rows:
+            self._rows[stem] = Row(self._texts()[stem])
+        return self._rows[stem]
 
-@cache
-def _blocks() -> dict[str, str]:
-    _, *blocks = _FILE.read_text("utf-8").rstrip("\n").split("\n\n")
-    return {whole[: whole.index("\t")]: whole for whole in blocks}
+    def stems(self) -> list[str]:
+        """The names of all blocks, sorted."""
+        return sorted(self._texts())
+
+    def _texts(self) -> dict[str, str]:
+        if not self._blocks:
+            _, *blocks = (DATA / f"{self._stem}.txt").read_text("utf-8").rstrip("\n").split("\n\n")
+            self._blocks = {whole[: whole.index("\t")]: whole for whole in blocks}
+        return self._blocks
 
 
 class Range:
@@ -111,7 +125,7 @@ class Range:
         self.high = high
         self.low_open, self.high_open = is_open
         self.refused = True
-        """libsdformat does not read a document with a value outside."""
+        """The consumer does not read a document with a value outside."""
         self.instead: str | None = None
         """The value that libsdformat takes instead of one outside."""
 
@@ -119,9 +133,8 @@ class Range:
     def of(cls, row: Row, minor: int) -> Range | None:
         """The range of a place in version 1.``minor``: by meaning, else by the table; None without one."""
         if interval := row.extra("range"):
-            low, _, high = interval[1:-1].partition(",")
-            found = cls(float(low), float(high), (interval[0] == "(", interval[-1] == ")"))
-            found.refused = False
+            found = cls.within(interval)
+            found.refused = row.extra("refused") != ""
             found.instead = row.extra("instead") or None
             return found
         low, high = at(row.extra("min"), minor), at(row.extra("max"), minor)
@@ -131,6 +144,12 @@ class Range:
         # Those of vectors and attributes are not read.
         found.refused = row.name[0] != "@" and not at(row.type, minor).startswith("vector")
         return found
+
+    @classmethod
+    def within(cls, interval: str) -> Range:
+        """The range that an interval such as ``(0,inf]`` writes."""
+        low, _, high = interval[1:-1].partition(",")
+        return cls(float(low), float(high), (interval[0] == "(", interval[-1] == ")"))
 
     def __repr__(self) -> str:
         return f"Range({self})"
