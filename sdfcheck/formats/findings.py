@@ -78,6 +78,14 @@ class Findings(ABC):
         """An element that is marked deprecated."""
         self.found.append(DeprecatedElement(element, None, *history.deprecation(definition.place)))
 
+    def several(self, element: Element, place: Definition) -> None:
+        """The elements in one of which only the first counts."""
+        raise NotImplementedError
+
+    def wrapped(self, element: Element, definition: Definition) -> None:
+        """An element whose attributes may have tabs and line breaks that matter."""
+        raise NotImplementedError
+
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         """A prefixed element: free, except that it must not hold what belongs to the standard."""
         self.customs.append((child, parent, place))

@@ -145,6 +145,7 @@ class Definition(RowInVersion):
         "children",
         "default",
         "deprecated",
+        "exclusive",
         "multiplicity",
         "needed_children",
         "open",
@@ -162,6 +163,8 @@ class Definition(RowInVersion):
     """None for an element that holds elements."""
     default: str | None
     deprecated: bool
+    exclusive: bool
+    """Consumers look at the first element in it and at nothing else."""
     open: bool
     """Content is free: nothing inside is the format's business."""
     single: bool
@@ -194,6 +197,7 @@ class Definition(RowInVersion):
         self.single = self.multiplicity not in {"*", "+"}
         self.sound = set()
         self.deprecated = row.extras != [] and at(row.extra("deprecated"), minor) != ""
+        self.exclusive = row.extras != [] and row.extra("exclusive") != ""
         self.open = row.extras != [] and row.extra("open") != ""
 
     @property

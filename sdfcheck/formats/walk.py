@@ -27,6 +27,9 @@ _REMEMBERED = 1000
 class Walk(Generic[F]):
     """One walk; what it meets that is not accepted at once goes to its findings."""
 
+    is_wrapped = False
+    """Are there tabs or line breaks in attributes, which matter to the consumers of the format?"""
+
     def __init__(self, document: Document, version: Version) -> None:
         self.document = document
         self.version = version
@@ -87,6 +90,8 @@ class Walk(Generic[F]):
         for name in place.needed_children:
             if name not in seen:
                 self.findings.missing(parent, place, name)
+        if place.exclusive and len(parent.nodes) > 1:
+            self.findings.several(parent, place)
 
     def element(self, element: Element, parent: Element, definition: Definition) -> None:
         """Check an element that is where it may be, and all that is in it."""
@@ -122,3 +127,5 @@ class Walk(Generic[F]):
         for name in definition.required_attributes:
             if name not in given:
                 self.findings.missing_attribute(element, definition, name)
+        if self.is_wrapped:
+            self.findings.wrapped(element, definition)

@@ -150,8 +150,7 @@ class UrdfFindings(Findings):
             self.found.append(problems.RepeatedElement(element, first, parent))
         return True
 
-    def shapes(self, geometry: Element, place: Definition) -> None:
-        """A geometry: urdfdom looks at its first element and at nothing else."""
+    def several(self, geometry: Element, place: Definition) -> None:
         newest = _newest(place)
         first, *others = list(geometry.children()) or [geometry]
         seen = {first.name}
@@ -188,6 +187,12 @@ class UrdfFindings(Findings):
         if key not in definition.attributes:
             self.too_new(Value(element, key, text), key, history.since(definition, f"@{key}"))
         self.attribute_value(element, known, text)
+
+    def wrapped(self, element: Element, definition: Definition) -> None:
+        for key, text in element.attributes.items():
+            known = definition.attributes.get(key)
+            if known is not None and known.type in COUNTS and known.accepts(text):
+                self.attribute_value(element, known, text)
 
     def attribute_value(self, element: Element, known: AttributeDefinition, text: str) -> None:
         """The value of a known attribute, as it is in the file."""

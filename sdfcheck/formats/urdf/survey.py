@@ -7,9 +7,8 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.problems import EmptyName
-from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, extension, urdf
+from sdfcheck.formats.urdf.schema import VERSIONS, extension, urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.formats.walk import Walk
 from sdfcheck.source.document import Document, Element
@@ -109,18 +108,6 @@ class UrdfWalk(Walk["UrdfFindings"]):
         if "<gazebo" in self.document.source.text:
             self.settings()
         return super().conclude()
-
-    def children(self, parent: Element, place: Definition) -> None:
-        super().children(parent, place)
-        if parent.name == "geometry" and len(parent.nodes) > 1:
-            self.findings.shapes(parent, place)
-
-    def attributes(self, element: Element, parent: Element, definition: Definition) -> None:
-        super().attributes(element, parent, definition)
-        for key, text in element.attributes.items() if self.is_wrapped else ():
-            known = definition.attributes.get(key)
-            if known is not None and known.type in COUNTS and known.accepts(text):
-                self.findings.attribute_value(element, known, text)
 
     def settings(self) -> None:
         """The values of the settings in ``<gazebo>``."""
