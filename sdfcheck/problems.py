@@ -8,20 +8,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sdfcheck.formats.sdf.problems import *  # noqa: F403
-    from sdfcheck.formats.urdf.problems import *  # noqa: F403
+    from sdfcheck.formats.problems import *  # noqa: F403
     from sdfcheck.robot.includes.included import *  # noqa: F403
     from sdfcheck.source.decode import *  # noqa: F403
     from sdfcheck.source.problems import *  # noqa: F403
-    from sdfcheck.xacro.problems import *  # noqa: F403  # noqa: F403
+    from sdfcheck.xacro.problems import *  # noqa: F403
 
 _HOMES = (
     "sdfcheck.source.problems",
     "sdfcheck.source.decode",
-    "sdfcheck.formats.sdf.problems",
-    "sdfcheck.formats.urdf.problems",
+    "sdfcheck.formats.problems",
     "sdfcheck.robot.includes.included",
-    "sdfcheck.xacro.problems",
     "sdfcheck.xacro.problems",
 )
 

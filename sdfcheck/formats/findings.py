@@ -10,15 +10,15 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Hashable
 
-from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.sdf import history
-from sdfcheck.formats.sdf.problems import (
+from sdfcheck.formats.problems import (
     DeprecatedElement,
     RemovedElement,
     RepeatedElement,
     StrayText,
     UnknownAttribute,
 )
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.version import Version

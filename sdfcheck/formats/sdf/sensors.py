@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf import problems
+from sdfcheck.formats import problems
 from sdfcheck.formats.sdf.survey import Survey
 from sdfcheck.source.document import Element
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf import problems
+from sdfcheck.formats import problems
 from sdfcheck.formats.sdf.survey import Survey, survey
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element

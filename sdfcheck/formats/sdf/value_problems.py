@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from sdfcheck.formats import problems
 from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import Outcome, Reading
-from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf import history, problems
+from sdfcheck.formats.schema import Definition, RowInVersion
+from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.text_pieces import cut_text, part
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import Element, Value
-
-if TYPE_CHECKING:
-    from sdfcheck.formats.schema import AttributeDefinition
 
 _KINDS = {Outcome.MISREAD: problems.MisreadValue, Outcome.WRONG_COUNT: problems.WrongComponentCount}
 
@@ -47,7 +44,7 @@ def _exclude_each_other(rotation: Value, degrees: Value) -> bool:
     return rotation.text.strip() == "quat_xyzw" and degrees.text.strip().lower() in {"true", "1"}
 
 
-def judge(value: Value, definition: Definition | AttributeDefinition, reading: Reading) -> Iterator[object]:
+def judge(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[object]:
     """Turn a reading into the problem that it is."""
     if reading.outcome is Outcome.NOT_A_CHOICE:
         yield from _choice(value, definition, reading)
@@ -55,9 +52,7 @@ def judge(value: Value, definition: Definition | AttributeDefinition, reading: R
         yield from problem_of(value, definition, reading)
 
 
-def problem_of(
-    value: Value, definition: Definition | AttributeDefinition | AttributeDefinition, reading: Reading
-) -> Iterator[object]:
+def problem_of(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[object]:
     """The problem of a number or truth value, if there is one."""
     if reading.is_fine:
         return
@@ -72,9 +67,7 @@ def problem_of(
         yield kind(value, definition, reading, span)
 
 
-def _choice(
-    value: Value, definition: Definition | AttributeDefinition, reading: Reading
-) -> Iterator[problems.UnknownChoice]:
+def _choice(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[problems.UnknownChoice]:
     """A value that is not in the list of the version, which need not keep anybody from reading it."""
     choices = definition.choices
     assert choices is not None

@@ -6,17 +6,17 @@ import re
 from collections.abc import Iterator
 from math import isfinite
 
+from sdfcheck.formats import problems
 from sdfcheck.formats.findings import MOST, Findings, folded
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf import history, problems
+from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
 from sdfcheck.formats.sdf.parts import no_number
 from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces
 from sdfcheck.formats.sdf.value_problems import problem_of
 from sdfcheck.formats.table import Range
-from sdfcheck.formats.urdf import problems as urdf_problems
 from sdfcheck.formats.urdf.misspellings import meant_attribute, meant_child
 from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents
 from sdfcheck.formats.version import Version
@@ -170,7 +170,7 @@ class UrdfFindings(Findings):
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
     def too_new(self, place: Element | Value, name: str, since: Version) -> None:
-        self.found.append(urdf_problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
+        self.found.append(problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
 
     # Attributes
 
@@ -265,7 +265,7 @@ class UrdfFindings(Findings):
         if places:
             first = source.span(*places[0])
             values = tuple(_values_with_expressions(root))
-            self.found.append(urdf_problems.UnexpandedExpression(first, len(places), values))
+            self.found.append(problems.UnexpandedExpression(first, len(places), values))
 
     def conclude(self) -> list[object]:
         for uses in self.unknown.values():
@@ -273,9 +273,7 @@ class UrdfFindings(Findings):
             near = meant_child(uses[0], self.places[parent])
             needed = near is not None and _needs(parent, self.places[parent], near)
             places = known_parents(uses[0].name)
-            self.found.append(
-                urdf_problems.UnknownUrdfElement(uses[0], parent, near, places, tuple(uses), needed)
-            )
+            self.found.append(problems.UnknownUrdfElement(uses[0], parent, near, places, tuple(uses), needed))
         for values in self.unknown_values.values():
             element, name = values[0].element, values[0].attribute
             assert name is not None
@@ -286,9 +284,7 @@ class UrdfFindings(Findings):
                 needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
             count = self.strange.pop(element, 0)
             more = count - 1 if count > MOST else 0
-            self.found.append(
-                urdf_problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more)
-            )
+            self.found.append(problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more))
         return folded(self.found)
 
 

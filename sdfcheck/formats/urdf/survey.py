@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.sdf.problems import EmptyName
+from sdfcheck.formats.problems import EmptyName
 from sdfcheck.formats.urdf.schema import VERSIONS, extension, urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.formats.walk import Walk

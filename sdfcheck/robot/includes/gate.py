@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.sdf.problems import MissingElement
+from sdfcheck.formats.problems import MissingElement
 from sdfcheck.source.document import Document, Element
 
 

@@ -11,7 +11,7 @@ from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migrate import LOWEST, TARGETS, sdf_to_sdf
 from sdfcheck.convert.result import Conversion
 from sdfcheck.files.library import Library
-from sdfcheck.formats.sdf.problems import UnknownElement
+from sdfcheck.formats.problems import UnknownElement
 from sdfcheck.formats.sdf.structure import structure_problems
 from sdfcheck.formats.sdf.survey import problems
 from sdfcheck.formats.version import Version

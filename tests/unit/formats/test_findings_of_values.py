@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.sdf import problems
+from sdfcheck.formats import problems
 from tests.unit.formats.walk import found, in_link, only_in_link
 from tests.unit.only import only
 

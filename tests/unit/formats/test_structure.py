@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from sdfcheck.formats.sdf import problems
+from sdfcheck.formats import problems
 from sdfcheck.formats.sdf.structure import SHAPES, structure_problems
 from sdfcheck.source.document import read
 from tests.unit.only import only

@@ -7,8 +7,7 @@ from typing import TypeVar
 
 import pytest
 
-from sdfcheck.formats.sdf import problems
-from sdfcheck.formats.urdf import problems as urdf_problems
+from sdfcheck.formats import problems
 from sdfcheck.formats.urdf.schema import VERSIONS
 from sdfcheck.formats.urdf.survey import UrdfSurvey, survey
 from sdfcheck.source.document import read
@@ -70,7 +69,7 @@ def test_a_declared_prefix_of_xacro_alone_is_nothing() -> None:
 def test_unknown_elements_are_reported_once_for_each_place() -> None:
     problem = only(
         ROBOT.format(f"<visual>{SHAPE}<x/></visual><visual>{SHAPE}<x/></visual>"),
-        urdf_problems.UnknownUrdfElement,
+        problems.UnknownUrdfElement,
     )
     assert len(problem.uses) == 2
     assert (problem.suggestion, problem.needed) == (None, False)
@@ -79,20 +78,20 @@ def test_unknown_elements_are_reported_once_for_each_place() -> None:
 def test_a_misspelt_element_is_not_missing_as_well() -> None:
     problem = only(
         ROBOT.format(f"<visual>{SHAPE.replace('geometry', 'geometri')}</visual>"),
-        urdf_problems.UnknownUrdfElement,
+        problems.UnknownUrdfElement,
     )
     assert (problem.suggestion, problem.needed) == ("geometry", True)
 
 
 def test_a_misspelt_attribute_is_not_missing_as_well() -> None:
     text = ROBOT.format('<visual><geometry><sphere raduis="1"/></geometry></visual>')
-    problem = only(text, urdf_problems.UnknownUrdfAttribute)
+    problem = only(text, problems.UnknownUrdfAttribute)
     assert (problem.value.attribute, problem.suggestion, problem.needed) == ("raduis", "radius", True)
 
 
 def test_an_existing_part_is_not_suggested() -> None:
     text = JOINT.format('<limit effort="1" velocity="1" k_velocity="1"/>')
-    assert only(text, urdf_problems.UnknownUrdfAttribute).suggestion is None
+    assert only(text, problems.UnknownUrdfAttribute).suggestion is None
 
 
 def test_the_axis_of_a_fixed_joint_is_not_read() -> None:
@@ -136,7 +135,7 @@ def test_versions() -> None:
     assert walk('<robot name="r" version="1.2"><link name="a"/></robot>').version == VERSIONS[2]
     assert walk('<robot name="r" version="1"><link name="a"/></robot>').version == VERSIONS[0]
     quaternion = f'<visual><origin quat_xyzw="0 0 0 1"/>{SHAPE}</visual>'
-    feature = only(ROBOT.format(quaternion), urdf_problems.FeatureAboveVersion)
+    feature = only(ROBOT.format(quaternion), problems.FeatureAboveVersion)
     assert (feature.what, feature.since, feature.declared) == ("quat_xyzw", "1.1", "1.0")
     assert walk(ROBOT.replace('"r"', '"r" version="1.1"').format(quaternion)).problems == []
 
@@ -154,7 +153,7 @@ def test_dynamics_need_one_of_two_attributes() -> None:
     assert only(JOINT.format("<dynamics/>"), problems.MissingAttribute).attribute == "damping"
     assert walk(JOINT.format('<dynamics friction="1"/>')).problems == []
     misspelled = walk(JOINT.format('<dynamics dampng="1"/>')).problems
-    assert [type(problem) for problem in misspelled] == [urdf_problems.UnknownUrdfAttribute]
+    assert [type(problem) for problem in misspelled] == [problems.UnknownUrdfAttribute]
 
 
 @pytest.mark.parametrize(
@@ -183,6 +182,6 @@ def test_expressions_are_reported_once_and_not_as_bad_numbers() -> None:
     )
     found = walk(text).problems
     (problem,) = found
-    assert isinstance(problem, urdf_problems.UnexpandedExpression)
+    assert isinstance(problem, problems.UnexpandedExpression)
     assert (problem.count, problem.span.text) == (2, "${r}")
     assert [value.text for value in problem.values] == ["${r}", "$(arg v)"]

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.formats.sdf.problems import MissingElement
+from sdfcheck.formats.problems import MissingElement
 from sdfcheck.robot.includes.gate import problems
 from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of
 from sdfcheck.robot.root import root_of

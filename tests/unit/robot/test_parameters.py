@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.sdf.problems import MissingAttribute, WrongComponentCount
+from sdfcheck.formats.problems import MissingAttribute, WrongComponentCount
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.includes.gate import problems
 from sdfcheck.robot.includes.included import InvalidParameter

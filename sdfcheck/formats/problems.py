@@ -1,4 +1,4 @@
-"""Problems of a document that the formats find: small values that rules put into words."""
+"""Problems that the walks find in a document: small values that rules put into words."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.formats.reading import Reading
-    from sdfcheck.formats.schema import AttributeDefinition, Definition
+    from sdfcheck.formats.schema import RowInVersion
     from sdfcheck.formats.version import Version
 
 
@@ -164,7 +164,7 @@ class BadValue(Record):
     """A value that is not read as written; ``reading`` says why. Rules distinguish the subclasses."""
 
     value: Value
-    definition: Definition | AttributeDefinition | AttributeDefinition
+    definition: RowInVersion
     reading: Reading
     span: Span
 
@@ -230,3 +230,55 @@ class ConflictingRotation(Record):
 
     value: Value
     format: Value
+
+
+# Problems of URDF alone.
+
+
+class UnknownUrdfElement(Record):
+    """An element that no consumer of URDF looks for at this place.
+
+    ``uses`` are all of this name below parents of this name; ``places`` the parents below
+    which it would be read. ``needed``: ``suggestion`` is required there and missing.
+    """
+
+    element: Element
+    parent: Element
+    suggestion: str | None
+    places: tuple[str, ...]
+    uses: tuple[Element, ...]
+    needed: bool
+
+
+class UnknownUrdfAttribute(Record):
+    """An attribute that no consumer of URDF looks for; ``needed`` and ``uses`` as there.
+
+    ``more``: so many others of the element are unknown, of which only some are reported.
+    """
+
+    value: Value
+    suggestion: str | None
+    uses: tuple[Value, ...]
+    needed: bool
+    more: int = 0
+
+
+class FeatureAboveVersion(Record):
+    """Something of a later version of URDF, which urdfdom ignores in this document or refuses.
+
+    ``place`` is an element or an attribute, ``what`` its name.
+    """
+
+    place: Element | Value
+    what: str
+    since: str
+    declared: str
+
+
+class UnexpandedExpression(Record):
+    """``${…}`` or ``$(…)``, which only xacro understands: ``span`` is the first of ``count``."""
+
+    span: Span
+    count: int
+    values: tuple[Value, ...]
+    """The attributes and texts that hold them."""
