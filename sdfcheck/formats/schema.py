@@ -7,11 +7,12 @@ so that a document pays for the part of the format that it uses.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.formats.table import Range, Row, Table, at, newest_name
 from sdfcheck.formats.version import Version
+from sdfcheck.source.document import Element
 
 if TYPE_CHECKING:
     from sdfcheck.formats.choices import Choices
@@ -211,6 +212,13 @@ class Definition(RowInVersion):
         for name in filter(None, path.split("/")):
             found = found and found.children.get(name)
         return found
+
+    def known(self, element: Element) -> Iterator[tuple[Element, Definition]]:
+        """An element that it defines and all elements in that, as far as they are known, with their definitions."""
+        yield element, self
+        for child in element.children():
+            if (inner := self.children.get(child.name)) is not None:
+                yield from inner.known(child)
 
     def _remark(self, key: str) -> str:
         return self._use.extra(key) or self.row.extra(key)

@@ -30,7 +30,7 @@ _REMEMBERED = 1000
 """So many texts are kept for each attribute: most robots repeat themselves."""
 
 
-def _acceptance(place: RowInVersion) -> Accepts:
+def acceptance(place: RowInVersion) -> Accepts:
     """A quick check. Unlike in SDFormat, a number must not be followed by spaces."""
     if place.listed:
         return frozenset(place.listed).__contains__
@@ -71,11 +71,12 @@ def _anything(text: str) -> bool:
     return True
 
 
-def _is_needed(parent: Definition, child: Definition) -> bool:
+def is_needed(parent: Definition, child: Definition) -> bool:
+    """Each required child is."""
     return True
 
 
-URDF = Format(Table("urdf"), "robot", VERSIONS, _acceptance, _is_needed)
+URDF = Format(Table("urdf"), "robot", VERSIONS, acceptance, is_needed)
 
 
 def urdf(version: Version = VERSIONS[-1]) -> Definition:

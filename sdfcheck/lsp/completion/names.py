@@ -54,7 +54,9 @@ def wanted(context: Context, dialect: str) -> tuple[str, ...]:
     """The kinds of things that can be named; none where no name is expected."""
     tag, attribute = context.tag, context.attribute
     if dialect == "srdf":
-        return srdf.named_by((*context.around, tag), attribute) if context.where is Where.VALUE else ()
+        place = srdf.at((*context.around, tag)) if context.where is Where.VALUE else None
+        own = place.attributes.get(attribute) if place is not None else None
+        return tuple(filter(None, (srdf.named_by(own),))) if own is not None else ()
     is_urdf = dialect == "urdf"
     if context.where is Where.VALUE:
         if tag == "insert_block" or (tag == "xacro:insert_block" and attribute == "name"):
@@ -197,7 +199,7 @@ class Order:
 
 _ONCE = frozenset({"child@link", "child"})
 """Where each name is written once in a whole robot."""
-_SEMANTIC = frozenset(f"{element}@{attribute}" for element, attribute in (*srdf.NAMES, *srdf.GROUPS))
+_SEMANTIC = frozenset(f"{element}@{attribute}" for element, attribute in srdf.references())
 _ONCE_IN_BLOCK = frozenset({"joint@name", "link@name"})
 """Where each is written once in a group, a state or a block of ``ros2_control``."""
 

@@ -156,28 +156,18 @@ def seen_attributes(names: Iterable[str], context: Context) -> Iterator[Item]:
 
 def semantic_elements(around: tuple[str, ...]) -> Iterator[Item]:
     """The elements of SRDF."""
-    for name in srdf.CHILDREN.get(around[-1], ()):
-        snippet = Snippet()
-        required = srdf.REQUIRED.get(name, ()) + (("value",) if around[-1] == "group_state" else ())
-        head = name + "".join(
-            f" {snippet.attribute(each, srdf.CHOICES.get((name, each), ()))}" for each in required
-        )
-        text = f"{head}>\n\t$0\n</{name}>" if name in srdf.CHILDREN and name != around[-1] else f"{head}/>"
-        item = Item(name, Sort.ELEMENT, plain(text).replace("$0", ""), text, "SRDF", 3)
-        yield item._replace(is_repeatable=True)
+    place = srdf.at(around)
+    for name, child in place.children.items() if place is not None else ():
+        yield _item(name, Spot(child), 3, "SRDF")._replace(is_repeatable=not child.single)
 
 
 def semantic_attributes(context: Context) -> Iterator[Item]:
     """The attributes of SRDF."""
-    tag, given = context.tag, {name for name, _ in context.given}
-    required = srdf.REQUIRED.get(tag, ())
-    if tag == "group" and context.around[-1:] == ("group",):
-        required = ("name",)
-    for name in (*required, *srdf.OPTIONAL.get(tag, ())):
+    place, given = srdf.at((*context.around, context.tag)), {name for name, _ in context.given}
+    for name, attribute in place.attributes.items() if place is not None else ():
         if name not in given:
-            snippet = Snippet().attribute(name, srdf.CHOICES.get((tag, name), ()))
-            rank = 1 if name in required else 3
-            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, "SRDF", rank)
+            snippet = Snippet().attribute(name, attribute.listed)
+            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, "SRDF", 1 if attribute.required else 3)
 
 
 def xacro_elements(visible: Iterable[Definitions]) -> Iterator[Item]:

@@ -142,7 +142,9 @@ def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
 
 def semantic_values(context: Context) -> Iterator[Item]:
     """The values of SRDF that are a closed list."""
-    for choice in srdf.CHOICES.get((context.tag, context.attribute), ()):
+    place = srdf.at((*context.around, context.tag))
+    own = place.attributes.get(context.attribute) if place is not None else None
+    for choice in own.listed if own is not None else ():
         yield Item(choice, Sort.CHOICE, choice, detail="SRDF", rank=2)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from sdfcheck.formats.srdf import GROUPS, NAMES
+from sdfcheck.formats.srdf import references
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -26,8 +26,11 @@ _REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
     ("xyz", "expressed_in"): _NODES,
     ("model", "canonical_link"): ("link",),
     ("model", "placement_frame"): _NODES,
-    **{place: (kind,) for place, kind in NAMES.items() if place[1] != "name" or place[0] == "passive_joint"},
-    **dict.fromkeys(GROUPS, ("group",)),
+    **{
+        place: (kind,)
+        for place, kind in references().items()
+        if place[1] != "name" or place[0] == "passive_joint"
+    },
 }
 """Element and attribute → the kinds of what they refer to."""
 _TEXTS = frozenset({"parent", "child"})

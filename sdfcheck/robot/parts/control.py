@@ -349,7 +349,7 @@ class Ros2Control(JointNames):
     @lazy
     def known(self) -> tuple[tuple[Element, Definition], ...]:
         """The elements that ros2_control reads, itself first, each with what is allowed in it."""
-        return tuple(_known(self.element, control()))
+        return tuple(control().known(self.element))
 
     @property
     def lacking(self) -> Iterator[tuple[Element, str]]:
@@ -418,14 +418,6 @@ class ControlTransmission(JointNames):
         """The names that no joint of the block has."""
         known = self.block.joints
         return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
-
-
-def _known(element: Element, definition: Definition) -> Iterator[tuple[Element, Definition]]:
-    yield element, definition
-    for child in element.children():
-        inner = definition.children.get(child.name)
-        if inner is not None:
-            yield from _known(child, inner)
 
 
 def _is_sound(value: Value, attribute: AttributeDefinition) -> bool:

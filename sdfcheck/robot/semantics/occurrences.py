@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats.srdf import GROUPS
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, steps
 from sdfcheck.robot.semantics.semantics import Semantics
 
@@ -17,16 +16,11 @@ def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
         span = steps(value)[0][0]
         yield Occurrence(span, Symbol("group", name, span), True)
     definitions = {name: group.attribute("name") for name, group in semantics.groups.items()}
-    for part in semantics.parts:
-        attributes = [attribute for element, attribute in GROUPS if element == part.name]
-        if part.name == "group" and part.parent is not semantics.element:
-            attributes = ["name"]
-        for attribute in attributes:
-            value = part.attribute(attribute)
-            defined = None if value is None else definitions.get(value.text.strip())
-            if value is not None and defined is not None:
-                symbol = Symbol("group", value.text.strip(), steps(defined)[0][0])
-                yield Occurrence(steps(value)[0][0], symbol)
+    for kind, value in semantics.references:
+        defined = definitions.get(value.text.strip()) if kind == "group" else None
+        if defined is not None:
+            symbol = Symbol("group", value.text.strip(), steps(defined)[0][0])
+            yield Occurrence(steps(value)[0][0], symbol)
     for kind, value in semantics.named:
         span = steps(value)[0][0]
         yield Occurrence(span, Symbol(kind, value.text.strip(), span))

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.near_names import nearest
-from sdfcheck.formats.srdf import GROUPS, NAMES, REQUIRED
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.srdf import named_by, srdf
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -31,7 +32,7 @@ _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floatin
 
 
 class NamedPart(NamedTuple):
-    """A name of a link or joint of the robot, with its place."""
+    """A name of a link or joint of the robot, or of a group, with its place."""
 
     kind: str
     value: Value
@@ -72,19 +73,9 @@ class Semantics:
         return self.element.attributes.get("name", "").strip()
 
     @lazy
-    def parts(self) -> tuple[Element, ...]:
-        """The elements that srdfdom reads."""
-        found = []
-        for child in self.element.children():
-            if child.name in REQUIRED and child.name not in {"link", "joint", "chain"}:
-                found.append(child)
-                if child.name == "group":
-                    found += [
-                        each for each in child.children() if each.name in {"link", "joint", "chain", "group"}
-                    ]
-                elif child.name == "group_state":
-                    found += child.children("joint")
-        return tuple(found)
+    def parts(self) -> tuple[tuple[Element, Definition], ...]:
+        """The elements that srdfdom reads, each with what is allowed in it."""
+        return tuple(srdf().known(self.element))
 
     @lazy
     def groups(self) -> dict[str, Element]:
@@ -98,22 +89,29 @@ class Semantics:
     @property
     def lacking(self) -> Iterator[tuple[Element, str]]:
         """The elements without an attribute that they need."""
-        for part in self.parts:
-            is_value = part.name == "joint" and part.parent is not None and part.parent.name == "group_state"
-            for name in (*REQUIRED[part.name], *(("value",) if is_value else ())):
+        for part, definition in self.parts:
+            for name in definition.required_attributes:
                 if part.attribute(name) is None:
                     yield part, name
 
     @lazy
+    def references(self) -> tuple[NamedPart, ...]:
+        """The names of links and joints of the robot, and of groups."""
+        return tuple(
+            NamedPart(kind, value)
+            for part, definition in self.parts
+            for attribute in definition.attributes.values()
+            if (kind := named_by(attribute)) and (value := part.attribute(attribute.name)) is not None
+        )
+
+    @lazy
     def named(self) -> tuple[NamedPart, ...]:
         """The names of links and joints of the robot."""
-        found = []
-        for part in self.parts:
-            for (element, attribute), kind in NAMES.items():
-                value = part.attribute(attribute) if element == part.name else None
-                if value is not None and value.text.strip() and not is_expression(value.text):
-                    found.append(NamedPart(kind, value))
-        return tuple(found)
+        return tuple(
+            part
+            for part in self.references
+            if part.kind != "group" and part.value.text.strip() and not is_expression(part.value.text)
+        )
 
     @lazy
     def virtual_joints(self) -> dict[str, str]:
@@ -159,18 +157,9 @@ class Semantics:
     @property
     def unknown_groups(self) -> Iterator[Value]:
         """The names of groups that it does not define."""
-        for part in self.parts:
-            attributes = [attribute for element, attribute in GROUPS if element == part.name]
-            if part.name == "group" and part.parent is not self.element:
-                attributes = ["name"]
-            for attribute in sorted(attributes):
-                value = part.attribute(attribute)
-                if (
-                    value is not None
-                    and value.text.strip() not in self.groups
-                    and not is_expression(value.text)
-                ):
-                    yield value
+        for kind, value in self.references:
+            if kind == "group" and value.text.strip() not in self.groups and not is_expression(value.text):
+                yield value
 
     @property
     def doubled(self) -> Iterator[tuple[Value, Value]]:
