@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections import Counter
 from collections.abc import Hashable
 
+from sdfcheck.formats import history
 from sdfcheck.formats.problems import (
     DeprecatedElement,
     RemovedElement,
@@ -18,7 +19,6 @@ from sdfcheck.formats.problems import (
     UnknownAttribute,
 )
 from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.version import Version
@@ -76,7 +76,7 @@ class Findings(ABC):
 
     def deprecated(self, element: Element, definition: Definition) -> None:
         """An element that is marked deprecated."""
-        self.found.append(DeprecatedElement(element, None, *history.deprecation(definition.place)))
+        self.found.append(DeprecatedElement(element, None, *history.deprecation(definition)))
 
     def several(self, element: Element, place: Definition) -> None:
         """The elements in one of which only the first counts."""

@@ -26,7 +26,7 @@ def at(around: Sequence[str]) -> Definition | None:
 
 
 def named_by(attribute: AttributeDefinition) -> str:
-    """The kind of thing that a value names: a ``link`` or ``joint`` of the robot, a ``group`` of the file; empty for others."""
+    """The kind of thing that a value names: ``link`` or ``joint`` of the robot, ``group`` of the file, or empty."""
     return attribute.row.extra("names")
 
 

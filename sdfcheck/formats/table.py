@@ -91,12 +91,13 @@ def spans(life: str) -> tuple[tuple[int, float], ...]:
 class Table:
     """The blocks of one file in ``data``, by the name of their first row."""
 
-    __slots__ = ("_blocks", "_rows", "_stem")
+    __slots__ = ("_blocks", "_notes", "_rows", "_stem")
 
     def __init__(self, stem: str) -> None:
         self._stem = stem
         self._blocks: dict[str, str] = {}
         self._rows: dict[str, Row] = {}
+        self._notes: dict[str, list[tuple[str, ...]]] | None = None
 
     def block(self, stem: str) -> Row:
         """The element that a block defines."""
@@ -107,6 +108,16 @@ class Table:
     def stems(self) -> list[str]:
         """The names of all blocks, sorted."""
         return sorted(self._texts())
+
+    def notes(self, kind: str) -> list[tuple[str, ...]]:
+        """The fields of the notes of a kind, which only explanations need; none where there is no such file."""
+        if self._notes is None:
+            self._notes = {}
+            file = DATA / f"{self._stem}-notes.txt"
+            for line in file.read_text("utf-8").splitlines() if file.exists() else ():
+                first, *fields = line.split("\t")
+                self._notes.setdefault(first, []).append(tuple(fields))
+        return self._notes.get(kind, [])
 
     def _texts(self) -> dict[str, str]:
         if not self._blocks:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from sdfcheck.formats import history
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing, summary
 from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersion, Schema
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.urdf.schema import CONTROL, URDF, control, known_parents
 from sdfcheck.formats.version import Version
 from sdfcheck.source.record import NamedTuple
@@ -101,7 +101,7 @@ def _children(element: Definition) -> Mapping[str, Definition]:
 
 def _element(uses: list[_Use]) -> Description:
     element, parent = uses[0].element, uses[0].parent
-    deprecation = history.deprecation(element.place)
+    deprecation = history.deprecation(element)
     successor = deprecation.successor or (history.successor(parent, element.name) if parent else None)
     attributes = (_entry(element, each, f"@{each.name}") for each in element.attributes.values())
     children = (_entry(element, each, each.name) for each in _children(element).values())

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import inf
 
+from sdfcheck.formats.history import in_version
 from sdfcheck.formats.schema import AttributeDefinition, Definition, Schema
-from sdfcheck.formats.sdf.history import in_version
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.table import Range
 from sdfcheck.formats.version import NEWEST
@@ -141,7 +141,7 @@ def facets(bounds: Range) -> Iterator[tuple[str, str]]:
 
 def documentation(place: Definition | AttributeDefinition) -> str:
     """Notes that a schema cannot check and an editor may show: default, unit, deprecation."""
-    from sdfcheck.formats.sdf import history
+    from sdfcheck.formats import history
 
     parts = []
     if place.default and place.default != "__default__":
@@ -150,7 +150,7 @@ def documentation(place: Definition | AttributeDefinition) -> str:
         if place.units:
             parts.append(f"unit: {place.units[0]}")
         if place.deprecated:
-            successor = history.deprecation(place.place).successor
+            successor = history.deprecation(place).successor
             parts.append("deprecated" + (f", use {successor}" if successor else ""))
     return "; ".join(parts)
 

@@ -62,7 +62,7 @@ def sensor_problems(surveyed: Survey) -> Iterator[object]:
 
 def _renamed(surveyed: Survey, sensor: Element, expected: tuple[str, ...]) -> Iterator[object]:
     """Types and settings with an older name, once their version has the new one."""
-    from sdfcheck.formats.sdf import history
+    from sdfcheck.formats import history
     from sdfcheck.formats.sdf.schema import schema
 
     definition = schema(surveyed.version).at("sensor:sensor")

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats import problems
+from sdfcheck.formats import history, problems
 from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import Outcome, Reading
 from sdfcheck.formats.schema import Definition, RowInVersion
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.text_pieces import cut_text, part
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.version import NEWEST

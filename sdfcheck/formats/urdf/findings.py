@@ -6,12 +6,11 @@ import re
 from collections.abc import Iterator
 from math import isfinite
 
-from sdfcheck.formats import problems
+from sdfcheck.formats import history, problems
 from sdfcheck.formats.findings import MOST, Findings, folded
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
 from sdfcheck.formats.sdf.parts import no_number
 from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces

@@ -154,7 +154,7 @@ class Slot:
         self.unit = keys.text("unit")
         interval = keys.text("range")
         self.nonzero = interval == "nonzero"
-        self.range = _range(interval) if interval and not self.nonzero else None
+        self.range = Range.within(interval) if interval and not self.nonzero else None
         self.choices = keys.words("choices")
         self.wrong = keys.effect("wrong") or REFUSED
         """The reaction to a value out of range."""
@@ -301,8 +301,3 @@ def _step(text: str) -> Step:
     name, _, condition = text.removesuffix("]").partition("[")
     attribute, _, values = condition.partition("=")
     return Step(name, attribute, tuple(filter(None, values.split(","))))
-
-
-def _range(interval: str) -> Range:
-    low, _, high = interval[1:-1].partition(",")
-    return Range(float(low), float(high), (interval[0] == "(", interval[-1] == ")"))

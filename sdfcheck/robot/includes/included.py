@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
+from sdfcheck.formats import history
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import MisplacedElement, UnknownAttribute
 from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
 from sdfcheck.formats.sdf.value_problems import text_problems

@@ -42,7 +42,7 @@ class Name(NamedTuple):
     @property
     def is_compared(self) -> bool:
         """Does libsdformat compare it with the names that it reserves?"""
-        from sdfcheck.formats.sdf.history import reserved_name_holders
+        from sdfcheck.formats.history import reserved_name_holders
 
         return self.kind in reserved_name_holders()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from sdfcheck.formats.sdf import history
+from sdfcheck.formats import history
 from sdfcheck.formats.urdf import schema as table
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.problems import MissingXacroPrefix

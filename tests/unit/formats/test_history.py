@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from sdfcheck.formats import history
 from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.version import Version
 
@@ -75,8 +75,8 @@ def test_successor(parent: str, name: str, successor: str | None) -> None:
 
 
 def test_deprecation() -> None:
-    assert history.deprecation("joint:joint/thread_pitch") == ("screw_thread_pitch", "1.10")
-    assert history.deprecation("joint:joint/axis") == (None, "")
+    assert history.deprecation(at("1.12", "joint:joint/thread_pitch")) == ("screw_thread_pitch", "1.10")
+    assert history.deprecation(at("1.12", "joint:joint/axis")) == (None, "")
 
 
 def test_every_deprecated_element_has_its_deprecation() -> None:
@@ -88,7 +88,7 @@ def test_every_deprecated_element_has_its_deprecation() -> None:
             seen.add(definition.place)
             queue += [child for child in definition.children.values() if child.place not in seen]
             if definition.deprecated:
-                assert history.deprecation(definition.place).since, definition
+                assert history.deprecation(definition).since, definition
 
 
 def test_renamed_values() -> None:

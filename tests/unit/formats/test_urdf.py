@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from sdfcheck.formats import history
 from sdfcheck.formats.reading import Cause, Outcome
 from sdfcheck.formats.schema import AttributeDefinition
-from sdfcheck.formats.sdf import history
 from sdfcheck.formats.urdf.findings import read
 from sdfcheck.formats.urdf.schema import VERSIONS, extension, known_parents, urdf
 

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from functools import cache
 
-from sdfcheck.formats.schema import AttributeDefinition, Definition
+from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersion
 from sdfcheck.formats.sdf.schema import SDF
-from sdfcheck.formats.table import DATA, Row, newest_name
+from sdfcheck.formats.table import Row, newest_name
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.record import NamedTuple
 
-_NOTES = DATA / "sdf-notes.txt"
 READ_IN_ALL_VERSIONS = frozenset(("include/name", "include/pose", "include/static"))
 """Newer in the tables than in libsdformat, which reads them in files of every version."""
 
@@ -79,25 +78,34 @@ def last_version(parent: Definition, name: str) -> Version | None:
 
 def successor(parent: Definition, name: str) -> str | None:
     """The replacement of a child or an ``@attribute`` that is deprecated or removed."""
-    return _successors().get(f"{parent.place}/{name}", (None, ""))[0]
+    return _successor(parent, f"{parent.place}/{name}").successor
 
 
-def deprecation(place: str) -> Deprecation:
-    """The note on a place that its definition calls deprecated."""
-    known = _successors().get(place)
-    return Deprecation(*known) if known else Deprecation(None, "")
+def deprecation(definition: Definition) -> Deprecation:
+    """The note on an element that is marked deprecated."""
+    return _successor(definition, definition.place)
+
+
+def _successor(definition: Definition, place: str) -> Deprecation:
+    rows = ((*row, "", "", "") for row in reversed(_notes(definition, "successor")))
+    known = (Deprecation(to or None, since) for noted, since, _, to, *_ in rows if noted == place)
+    return next(known, Deprecation(None, ""))
+
+
+def _notes(definition: RowInVersion, kind: str) -> list[tuple[str, ...]]:
+    return definition.schema.format.table.notes(kind)
 
 
 def renamed_value(definition: AttributeDefinition, value: str) -> str | None:
     """The name that came in for a value still accepted: ``lidar`` for the sensor type ``ray``."""
-    rows = _notes("renamed")
+    rows = _notes(definition, "renamed")
     return next((new for place, old, new in rows if place == definition.place and old == value), None)
 
 
 def carried_over(parent: Definition, name: str, version: Version) -> bool:
     """Whether consumers convert it on loading a document of that version, so that nothing is lost."""
     place = f"{parent.place}/{name}"
-    rules = (Version.parse(last) for moved, last in _notes("moved") if moved == place)
+    rules = (Version.parse(last) for moved, last in _notes(parent, "moved") if moved == place)
     return any(last is not None and last >= version for last in rules)
 
 
@@ -114,19 +122,7 @@ def known_parents(name: str) -> tuple[str, ...]:
 @cache
 def reserved_name_holders() -> frozenset[str]:
     """The elements whose ``name`` libsdformat checks for reserved words."""
-    return frozenset(_notes("reserved")[0][0].split(","))
-
-
-@cache
-def _successors() -> dict[str, tuple[str | None, str]]:
-    rows = ((*row, "", "", "") for row in _notes("successor"))
-    return {place: (to or None, since) for place, since, _, to, *_ in rows}
-
-
-@cache
-def _notes(kind: str) -> tuple[tuple[str, ...], ...]:
-    lines = (line.split("\t") for line in _NOTES.read_text("utf-8").splitlines())
-    return tuple(tuple(fields) for first, *fields in lines if first == kind)
+    return frozenset(SDF.table.notes("reserved")[0][0].split(","))
 
 
 @cache
