@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from math import isfinite
 
 from sdfcheck.formats import history, problems
@@ -287,6 +288,7 @@ class UrdfFindings(Findings):
         return folded(self.found)
 
 
+@cache
 def _newest(place: Definition) -> Definition:
     return history.in_version(place, VERSIONS[-1]) or place
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 
 from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
-from sdfcheck.formats.schema import RowInVersion
+from sdfcheck.formats.schema import Definition, RowInVersion
 from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import Place
 from sdfcheck.formats.vendor.table import vendor
@@ -43,6 +43,14 @@ def _children(place: Spot, version: Version) -> Iterator[Item]:
         yield found._replace(is_repeatable=not child.single)
     for name in ("plugin", "sensor", "light") if place.is_block else ():
         yield _item(name, spot(["robot", "gazebo", name], version), 2)
+
+
+def _attributes(element: Definition, given: set[str], detail: str = "") -> Iterator[Item]:
+    for name, attribute in element.attributes.items():
+        if name not in given:
+            snippet = Snippet().attribute(name, attribute.listed)
+            rank = 1 if attribute.required else 3
+            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, detail or _detail(attribute), rank)
 
 
 def _detail(place: RowInVersion) -> str:
@@ -91,11 +99,8 @@ def attribute_items(context: Context, version: Version, *, is_urdf: bool) -> Ite
     around = (*context.around, context.tag)
     given = {name for name, _ in context.given}
     place = spot(around, version)
-    for name, attribute in place.definition.attributes.items() if place is not None else ():
-        if name not in given:
-            snippet = Snippet().attribute(name, attribute.listed)
-            rank = 1 if attribute.required else 3
-            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, _detail(attribute), rank)
+    if place is not None:
+        yield from _attributes(place.definition, given)
     if ":" in context.tag and not context.tag.startswith("xacro:"):
         yield from _custom_attributes(context.tag, given, is_urdf=is_urdf)
     yield from _carried(around, given, is_urdf=is_urdf)
@@ -163,11 +168,9 @@ def semantic_elements(around: tuple[str, ...]) -> Iterator[Item]:
 
 def semantic_attributes(context: Context) -> Iterator[Item]:
     """The attributes of SRDF."""
-    place, given = srdf.at((*context.around, context.tag)), {name for name, _ in context.given}
-    for name, attribute in place.attributes.items() if place is not None else ():
-        if name not in given:
-            snippet = Snippet().attribute(name, attribute.listed)
-            yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, "SRDF", 1 if attribute.required else 3)
+    place = srdf.at((*context.around, context.tag))
+    if place is not None:
+        yield from _attributes(place, {name for name, _ in context.given}, "SRDF")
 
 
 def xacro_elements(visible: Iterable[Definitions]) -> Iterator[Item]:
