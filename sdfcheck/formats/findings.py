@@ -18,7 +18,7 @@ from sdfcheck.formats.problems import (
     StrayText,
     UnknownAttribute,
 )
-from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.text_pieces import stray_line
 from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.version import Version
@@ -44,9 +44,48 @@ class Findings(ABC):
         self.strange: Counter[Element] = Counter()
         """How many unknown attributes an element has."""
 
-    @abstractmethod
     def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
         """A child that the version does not list; returns its definition if only the version is too old."""
+        if ":" in child.name:
+            self.custom(child, parent, place)
+            return None
+        definition = history.later(place, child.name)
+        if definition is None:
+            self.unknown_element(child, parent, place)
+        else:
+            self.too_new(child, definition, "", history.since(place, child.name))
+        return definition
+
+    def attribute(self, element: Element, definition: Definition, key: str, text: str) -> None:
+        """An attribute that the version does not list, or whose value is not accepted at once."""
+        known = definition.attributes.get(key)
+        if known is None:
+            newest = history.in_version(definition, definition.schema.format.newest)
+            known = newest.attributes.get(key) if newest is not None else None
+            if newest is None or known is None:
+                self.unknown_attribute(element, definition, key)
+                return
+            self.too_new(element, definition, key, history.since(definition, f"@{key}"))
+            definition = newest
+        self.attribute_value(element, definition, known, text)
+
+    @abstractmethod
+    def unknown_element(self, child: Element, parent: Element, place: Definition) -> None:
+        """An element that neither the version nor a later one has there."""
+
+    @abstractmethod
+    def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        """The same for an attribute."""
+
+    @abstractmethod
+    def too_new(self, element: Element, definition: Definition, attribute: str, since: Version) -> None:
+        """An element, or an attribute of it, that is in its place in a later version."""
+
+    @abstractmethod
+    def attribute_value(
+        self, element: Element, definition: Definition, known: AttributeDefinition, text: str
+    ) -> None:
+        """The value of a known attribute, which is not accepted at once."""
 
     @abstractmethod
     def repeated(self, element: Element, first: Element, parent: Element) -> bool:
@@ -55,12 +94,6 @@ class Findings(ABC):
     @abstractmethod
     def missing(self, parent: Element, place: Definition, name: str) -> None:
         """A required child that is not there."""
-
-    @abstractmethod
-    def attribute(
-        self, element: Element, parent: Element, definition: Definition, key: str, text: str
-    ) -> None:
-        """An attribute that the version does not list, or whose value is not accepted at once."""
 
     @abstractmethod
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:

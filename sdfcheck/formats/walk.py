@@ -123,7 +123,7 @@ class Walk(Generic[F]):
             if attribute is None and ":" in key:
                 continue  # prefixed: free
             if attribute is None or not attribute.accepts(text):
-                self.findings.attribute(element, parent, definition, key, text)
+                self.findings.attribute(element, definition, key, text)
         for name in definition.required_attributes:
             if name not in given:
                 self.findings.missing_attribute(element, definition, name)

@@ -105,7 +105,7 @@ class SdfFindings(Findings):
         """Parts that elements lack only because a child or attribute of theirs is misspelled."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
-        self.too_new: dict[tuple[str, str, Version], list[Element]] = {}
+        self.uses_too_new: dict[tuple[str, str, Version], list[Element]] = {}
 
     def root(self, root: Element, definition: Definition) -> None:
         """The root's attributes; its version decides against what everything else is checked."""
@@ -115,23 +115,20 @@ class SdfFindings(Findings):
 
     # Elements
 
-    def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
+    def too_new(self, element: Element, definition: Definition, attribute: str, since: Version) -> None:
+        parent = element.parent
+        place = f"{parent.name}/{element.name}" if parent is not None and not attribute else ""
+        if place not in history.READ_IN_ALL_VERSIONS:
+            self.uses_too_new.setdefault((definition.place, attribute, since), []).append(element)
+
+    def unknown_element(self, child: Element, parent: Element, place: Definition) -> None:
         name = child.name
-        if ":" in name:
-            self.custom(child, parent, place)
-            return None
-        definition = history.later(place, name)
-        if definition is not None:
-            if f"{place.name}/{name}" not in history.READ_IN_ALL_VERSIONS:
-                since = history.since(place, name)
-                self.too_new.setdefault((definition.place, "", since), []).append(child)
-            return definition
         old = history.last_version(place, name)
         if old is not None:
             successor = history.successor(place, name)
             if not history.carried_over(place, name, self.version):
                 self.found.append(problems.RemovedElement(child, parent, None, old, successor))
-            return None
+            return
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name):
             places = likely_parents(places, parent, place)
@@ -140,7 +137,6 @@ class SdfFindings(Findings):
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
-        return None
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)
@@ -187,24 +183,6 @@ class SdfFindings(Findings):
         return frame.content.lower() in {"true", "1"}
 
     # Attributes
-
-    def attribute(
-        self, element: Element, parent: Element, definition: Definition, key: str, text: str
-    ) -> None:
-        known = definition.attributes.get(key)
-        if known is not None:
-            self.attribute_value(element, definition, known, text)
-            return
-        name = key
-        newest = history.in_version(definition, NEWEST)
-        if newest is not None and name in newest.attributes:
-            since = history.since(definition, "@" + name)
-            self.too_new.setdefault((definition.place, name, since), []).append(element)
-            known = newest.attributes[name]
-            if not known.accepts(text):
-                self.attribute_value(element, newest, known, text)
-            return
-        self.unknown_attribute(element, definition, name)
 
     def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
         old = history.last_version(definition, "@" + name)
@@ -284,7 +262,7 @@ class SdfFindings(Findings):
                 self.found.append(self.absent(parent, place, name))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
-        for (_, attribute, since), uses in self.too_new.items():
+        for (_, attribute, since), uses in self.uses_too_new.items():
             assert declaration is not None, "without one nothing is too new"
             if attribute:
                 self.found.append(

@@ -126,17 +126,17 @@ class UrdfFindings(Findings):
 
     # Elements
 
-    def unexpected(self, child: Element, parent: Element, place: Definition) -> Definition | None:
-        name = child.name
-        newest = _newest(place)
-        if ":" in name:
-            self.custom(child, parent, newest)
-        elif name in newest.children:
-            self.too_new(child, name, history.since(place, name))
-            return newest.children[name]
-        elif place.name != "geometry":  # otherwise a shape, in its way
-            self.unknown_child(child, parent, newest)
-        return None
+    def custom(self, child: Element, parent: Element, place: Definition) -> None:
+        super().custom(child, parent, _newest(place))
+
+    def too_new(self, element: Element, definition: Definition, attribute: str, since: Version) -> None:
+        place = Value(element, attribute, element.attributes[attribute]) if attribute else element
+        name = attribute or element.name
+        self.found.append(problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
+
+    def unknown_element(self, child: Element, parent: Element, place: Definition) -> None:
+        if place.name != "geometry":  # otherwise a shape, in its way
+            self.unknown_child(child, parent, _newest(place))
 
     def unknown_child(self, child: Element, parent: Element, place: Definition) -> None:
         self.places[parent] = place
@@ -169,33 +169,23 @@ class UrdfFindings(Findings):
         if parent.name != "inertial" and name != "geometry":  # which rules look at
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
-    def too_new(self, place: Element | Value, name: str, since: Version) -> None:
-        self.found.append(problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
-
     # Attributes
 
-    def attribute(
-        self, element: Element, parent: Element, definition: Definition, key: str, text: str
-    ) -> None:
-        newest = _newest(definition)
-        known = newest.attributes.get(key)
-        if known is None:
-            self.places[element] = newest
-            if not self.is_one_too_many(element):
-                self.unknown_values.setdefault((element.name, key), []).append(Value(element, key, text))
-            return
-        if key not in definition.attributes:
-            self.too_new(Value(element, key, text), key, history.since(definition, f"@{key}"))
-        self.attribute_value(element, known, text)
+    def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
+        self.places[element] = _newest(definition)
+        if not self.is_one_too_many(element):
+            value = Value(element, name, element.attributes[name])
+            self.unknown_values.setdefault((element.name, name), []).append(value)
 
     def wrapped(self, element: Element, definition: Definition) -> None:
         for key, text in element.attributes.items():
             known = definition.attributes.get(key)
             if known is not None and known.type in COUNTS and known.accepts(text):
-                self.attribute_value(element, known, text)
+                self.attribute_value(element, definition, known, text)
 
-    def attribute_value(self, element: Element, known: AttributeDefinition, text: str) -> None:
-        """The value of a known attribute, as it is in the file."""
+    def attribute_value(
+        self, element: Element, definition: Definition, known: AttributeDefinition, text: str
+    ) -> None:
         value = Value(element, known.name, text)
         if known.type == "version":
             return  # which a rule looks at
