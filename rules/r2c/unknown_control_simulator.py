@@ -46,6 +46,14 @@ class UnknownControlSimulator(Rule):
             says="no library `gz_ros2_contrl-system`; did you mean `gz_ros2_control-system`?",
         ),
         Bad(
+            '<gazebo><plugin filename="«libignition_ros2_control-system.so»"'
+            ' name="ignition_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            fixed='<gazebo><plugin filename="ign_ros2_control-system"'
+            ' name="ignition_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            unsafe=True,
+            says="no library `libignition_ros2_control-system.so`; did you mean `ign_ros2_control-system`?",
+        ),
+        Bad(
             '<gazebo><plugin filename="gz_ros2_control-system" name="«gz_ros2_control::GazeboSimRos2Control»">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",
             fixed=SIMULATED,
@@ -79,7 +87,7 @@ class UnknownControlSimulator(Rule):
         file = plugin.filename.removeprefix("lib").removesuffix(".so")
         if file in CLASSES:
             return bool(plugin.name) and plugin.name not in CLASSES[file]
-        return suggest(file, CLASSES) is not None
+        return meant_library(plugin) is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         file = plugin.filename.removeprefix("lib").removesuffix(".so")
@@ -88,4 +96,14 @@ class UnknownControlSimulator(Rule):
             yield self.diagnostic(plugin.name_value or plugin, message, meant=CLASSES[file][0])
         else:
             message = f"there is no library `{plugin.filename}`"
-            yield self.diagnostic(plugin.filename_value or plugin, message, meant=suggest(file, CLASSES))
+            yield self.diagnostic(plugin.filename_value or plugin, message, meant=meant_library(plugin))
+
+
+def meant_library(plugin: Plugin) -> str | None:
+    """The library that was probably meant, by its name or by the last part of the class's."""
+    file = plugin.filename.removeprefix("lib").removesuffix(".so")
+    if (near := suggest(file, CLASSES)) is not None or not file.endswith("_ros2_control-system"):
+        return near
+    last = plugin.name.rpartition("::")[2]
+    owners = (library for library, classes in CLASSES.items() if classes[0].endswith(f"::{last}"))
+    return next(owners, None) if last else None
