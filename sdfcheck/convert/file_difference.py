@@ -6,15 +6,14 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sdfcheck.convert.comparison import Change, ChangeKind
+from sdfcheck.convert.comparison import TOLERANCE, Change, ChangeKind, compare, pose_texts
 from sdfcheck.convert.contents.entry import Contents, divergences
 from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.contents.of_urdf import of_urdf
-from sdfcheck.convert.difference import compare, pose_texts
 from sdfcheck.convert.ledger import models
-from sdfcheck.convert.rewrite.matching import same_pose, shifted_model
-from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
-from sdfcheck.convert.verify import TOLERANCE
+from sdfcheck.convert.matching import same_pose, shifted_model
+from sdfcheck.convert.migrate.migrate import written_out
+from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sdfcheck.convert.migrate.up import Operation, operations
-from sdfcheck.convert.writer import Node
 from sdfcheck.formats.version import Version
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment
 
 _SINCE = Version(1, 6)
@@ -16,7 +16,7 @@ _RELATIVE = Version(1, 7)
 _IMU = "//imu"
 
 
-def renew(node: Node, version: Version) -> bool:
+def renew(node: Xml, version: Version) -> bool:
     """Say the noise of the imus, and the frames of poses, in a copied element as a version has them.
 
     True if there was noise.
@@ -35,40 +35,40 @@ def renew(node: Node, version: Version) -> bool:
     return changed
 
 
-def _for_each_axis(imu: Node, noise: Node) -> None:
+def _for_each_axis(imu: Xml, noise: Xml) -> None:
     for operation in operations(_SINCE.minor):
         if operation.at == _IMU and operation.target:
             _copy(imu, operation)
-    imu.children.remove(noise)
+    imu.remove(noise)
     for part in _all(noise):
         for name, text in part.attributes.items():
             if ":" in name:
                 imu.attributes.setdefault(name, text)
-        imu.children += [c for c in part.children if isinstance(c, Comment) or _is_custom(c)]
+        imu.extend(*(node for node in part.nodes if isinstance(node, Comment) or _is_custom(node)))
 
 
-def _copy(imu: Node, operation: Operation) -> None:
-    found: Node | None = imu
+def _copy(imu: Xml, operation: Operation) -> None:
+    found: Xml | None = imu
     for name in operation.source.split("/"):
         found = found.find(name) if found is not None else None
-    if found is None or not found.text:
+    if found is None or not found.content:
         return
     path, _, attribute = operation.target.partition("/@")
     target = imu.reach(*path.split("/"))
     if attribute:
-        target.attributes.setdefault(attribute, found.text)
-    elif target.text is None:
-        target.text = found.text
+        target.attributes.setdefault(attribute, found.content)
+    elif not target.content:
+        target.write(found.content)
 
 
 def _is_custom(child: object) -> bool:
-    return isinstance(child, Node) and ":" in child.name
+    return isinstance(child, Xml) and ":" in child.name
 
 
-def _all(node: Node) -> Iterator[Node]:
+def _all(node: Xml) -> Iterator[Xml]:
     """A node and those below it, but what is in plugins and custom ones."""
     if node.name == "plugin" or _is_custom(node):
         return
     yield node
-    for child in node.elements():
+    for child in node.children():
         yield from _all(child)

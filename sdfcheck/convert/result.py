@@ -8,11 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.broken_text import guess_in
-from sdfcheck.convert.comparison import Verification
-from sdfcheck.convert.contents.comparison import SettingsProof
+from sdfcheck.convert.comparison import Correspondence, SettingsProof, Verification, verify
 from sdfcheck.convert.contents.entry import Contents, Divergence
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
-from sdfcheck.convert.verify import Correspondence, verify
 from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.root import root_of

@@ -7,12 +7,13 @@ from typing import Protocol
 
 import numpy as np
 
-from sdfcheck.convert.writer import Node, declared_prefixes, numbers
+from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.source.altered import Xml, declared_prefixes
 from sdfcheck.source.document import Comment, Element
 from sdfcheck.source.sniff import Kind
 
@@ -64,11 +65,11 @@ class Spelling:
         places = tag.places if tag is not None else ()
         return parent is None or not any(place.encloses(parent) and place.holds(parent) for place in places)
 
-    def element(self, element: Element) -> Node:
+    def element(self, element: Element) -> Xml:
         """A tag with all that is in it."""
         name = element.name
         tag, other = self.source.tags.get(name), self.target.tags.get(name)
-        node = Node(name)
+        node = Xml(name)
         node.attributes.update(declared_prefixes(element))
         node.attributes.pop(f"xmlns:{self.source.prefix}", None)
         if tag is None or other is None:
@@ -82,7 +83,7 @@ class Spelling:
                 _carry(node, there.carrier, self._seen(tag, element, text))
         for child in element.nodes:
             if isinstance(child, Comment):
-                node.children.append(child)
+                node.extend(child)
             elif isinstance(child, Element) and not (here is not None and here.carrier == f"/{child.name}"):
                 self._child(child, node, tag, other)
         return node
@@ -108,14 +109,14 @@ class Spelling:
         link = value_at(sibling, place.carrier) if sibling is not None and place is not None else None
         return text if link is None else self.around.vector(link.text.strip(), text, is_point=True)
 
-    def _plain(self, element: Element, node: Node) -> Node:
+    def _plain(self, element: Element, node: Xml) -> Xml:
         """Elements that the table does not have, as they are."""
         node.attributes.update(element.attributes)
-        node.text = element.content or None
-        node.children += [self.element(child) for child in element.children()]
+        node.text = element.content
+        node.extend(*map(self.element, element.children()))
         return node
 
-    def _attributes(self, element: Element, node: Node, tag: Tag, other: Tag) -> None:
+    def _attributes(self, element: Element, node: Xml, tag: Tag, other: Tag) -> None:
         """Attributes of the tag itself; in the other dialect they may be children, plain or of the vendor."""
         carriers = {place.carrier for place in tag.places}
         for name, text in element.attributes.items():
@@ -131,7 +132,7 @@ class Spelling:
             else:
                 node.attributes[name] = text
 
-    def _child(self, child: Element, node: Node, tag: Tag, other: Tag) -> None:
+    def _child(self, child: Element, node: Xml, tag: Tag, other: Tag) -> None:
         name = child.name
         if self.must_drop(child):
             self.dropped.append(child)
@@ -160,7 +161,7 @@ def _place_like(tag: Tag, element: Element) -> Place | None:
     return next(alike, None) or next(iter(tag.places), None)
 
 
-def _carry(node: Node, carrier: str, text: str) -> None:
+def _carry(node: Xml, carrier: str, text: str) -> None:
     """Put a value where the carrier says."""
     if carrier == "text":
         node.text = text

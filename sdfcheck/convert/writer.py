@@ -3,84 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
-from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.altered import Xml
+from sdfcheck.source.document import Aside, Element, Instruction, Node
 from sdfcheck.source.references import IN_ATTRIBUTE, escape
 from sdfcheck.source.wrong_usage import WrongUsage
 
-INDENT = "  "
+_INDENT = "  "
 _NOISE = 1e-15
 """Smaller numbers in a computed vector, or beside numbers of its scale, come from rounding."""
 
 
-class Words:
-    """A text between elements; an element that holds one is written without a space of ours."""
+def render(
+    root: Element, before: Iterable[Aside] = (), after: Iterable[Aside] = (), *, keeps_lines: bool = False
+) -> str:
+    """The text of a file: declaration, comments, root, comments.
 
-    __slots__ = ("text",)
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-
-
-class Node:
-    """An element to be written. It holds text or children, in order; comments and words are children."""
-
-    __slots__ = ("attributes", "children", "name", "text")
-
-    def __init__(self, name: str, text: str | None = None, /, **attributes: str) -> None:
-        self.name = name
-        self.text = text
-        self.attributes: dict[str, str] = attributes
-        self.children: list[Node | Comment | Words] = []
-
-    def add(self, name: str, text: str | None = None, /, **attributes: str) -> Node:
-        """Append a child element and return it."""
-        return self.append(Node(name, text, **attributes))
-
-    def append(self, node: Node) -> Node:
-        self.children.append(node)
-        return node
-
-    def say(self, text: str) -> None:
-        """Have another value, and of the attributes the custom ones only."""
-        self.text = text
-        self.attributes = {name: value for name, value in self.attributes.items() if ":" in name}
-        self.children = [child for child in self.children if not isinstance(child, Words)]
-
-    def elements(self, name: str | None = None) -> Iterator[Node]:
-        """The child elements, or those of that name."""
-        return (c for c in self.children if isinstance(c, Node) and (name is None or c.name == name))
-
-    def walk(self) -> Iterator[Node]:
-        """The element, and all below it."""
-        yield self
-        for child in self.elements():
-            yield from child.walk()
-
-    def find(self, name: str) -> Node | None:
-        """The first child element of that name."""
-        return next(self.elements(name), None)
-
-    def drop(self, names: Container[str]) -> None:
-        """Take the child elements of some names out."""
-        self.children = [c for c in self.children if not (isinstance(c, Node) and c.name in names)]
-
-    def reach(self, *names: str) -> Node:
-        """The element at the end of a path of names; what is missing is made."""
-        node = self
-        for name in names:
-            node = node.find(name) or node.add(name)
-        return node
-
-
-def render(root: Node, before: Sequence[Comment] = (), after: Sequence[Comment] = ()) -> str:
-    """The text of a file: declaration, comments, root, comments."""
+    ``keeps_lines``: blank lines (one at most) and comments at the end of a line stay where their
+    author put them.
+    """
     lines = ['<?xml version="1.0"?>']
-    nodes: list[Node | Comment | Words] = [*before, root, *after]
-    for node in nodes:
-        _write(node, "", lines)
+    lines += map(aside_text, before)
+    _Writer(lines, keeps_lines).write(root, "", is_free=False)
+    lines += map(aside_text, after)
     return "\n".join(lines) + "\n"
 
 
@@ -90,80 +37,85 @@ def with_line_ends(text: str, source: str) -> str:
     return text.replace("\n", "\r\n") if end and line.endswith("\r") else text
 
 
-def _write(node: Node | Comment | Words, indent: str, lines: list[str]) -> None:
-    if not isinstance(node, Node) or any(isinstance(child, Words) for child in node.children or ()):
-        lines.append(f"{indent}{_inline(node)}")
-        return
-    start = f"{indent}{_start(node)}"
-    text = node.text if node.text and not node.text.isspace() else ""
-    if not node.children:
-        lines.append(f"{start}>{escape(text)}</{node.name}>" if text else f"{start}/>")
-        return
-    lines.append(f"{start}>")
-    if text:
-        lines.append(f"{indent}{INDENT}{escape(text.strip())}")
-    for child in node.children:
-        _write(child, indent + INDENT, lines)
-    lines.append(f"{indent}</{node.name}>")
+class _Writer:
+    def __init__(self, lines: list[str], keeps_lines: bool) -> None:
+        self.lines = lines
+        self.keeps_lines = keeps_lines
+
+    def write(self, element: Element, indent: str, *, is_free: bool) -> None:
+        """Write an element; ``is_free``: it is in a plugin or a custom element.
+
+        Words between elements there, and all in an element that says so (``xml:space``), keep every blank.
+        """
+        is_free = is_free or element.name == "plugin" or element.is_custom
+        if _keeps_blanks(element) or (is_free and element.nodes and _has_mixed_content(element)):
+            self.lines.append(f"{indent}{_inline(element)}")
+            return
+        start, text = f"{indent}{start_of(element)}", element.text.strip()
+        if not element.nodes:
+            self.lines.append(f"{start}>{escape(text)}</{element.name}>" if text else f"{start}/>")
+            return
+        self.lines.append(f"{start}>")
+        inner = indent + _INDENT
+        if text:
+            self.lines.append(f"{inner}{escape(text)}")
+        before = element.text
+        for place, node in enumerate(element.nodes):
+            breaks = before[len(before.rstrip()) :].count("\n")
+            if self.keeps_lines and breaks > 1 and (text or place):
+                self.lines.append("")
+            if isinstance(node, Element):
+                self.write(node, inner, is_free=is_free)
+            elif self.keeps_lines and not breaks:
+                self.lines[-1] += f" {aside_text(node)}"
+            else:
+                self.lines.append(f"{inner}{aside_text(node)}")
+            if words := node.tail.strip():
+                self.lines.append(f"{inner}{escape(words)}")
+            before = node.tail
+        self.lines.append(f"{indent}</{element.name}>")
 
 
-def _start(node: Node) -> str:
-    start = f"<{node.name}"
-    for name, value in node.attributes.items():
-        start += f' {name}="{escape(value, IN_ATTRIBUTE)}"'
+def start_of(element: Element) -> str:
+    """The start tag of an element, but for its end."""
+    start = f"<{element.name}"
+    for name, text in element.attributes.items():
+        start += f' {name}="{escape(text, IN_ATTRIBUTE)}"'
+    for prefix, uri in element.declared.items():
+        start += f' {f"xmlns:{prefix}" if prefix else "xmlns"}="{escape(uri, IN_ATTRIBUTE)}"'
     return start
 
 
-def _inline(node: Node | Comment | Words) -> str:
+def _inline(node: Node) -> str:
     """A node without lines and spaces but its own."""
-    if isinstance(node, Words):
-        return escape(node.text)
-    if isinstance(node, Comment):
-        return f"<!--{_harmless(node.text)}-->"
-    inner = escape(node.text or "") + "".join(map(_inline, node.children))
-    return f"{_start(node)}>{inner}</{node.name}>" if inner else f"{_start(node)}/>"
+    if not isinstance(node, Element):
+        return aside_text(node)
+    if _gives_up_blanks(node):
+        inner = escape(node.content) + "".join(map(_inline, node.nodes))
+    else:
+        inner = escape(node.text) + "".join(_inline(child) + escape(child.tail) for child in node.nodes)
+    return f"{start_of(node)}>{inner}</{node.name}>" if inner else f"{start_of(node)}/>"
 
 
-def _harmless(comment: str) -> str:
-    """A comment's text without what would end it early."""
-    text = re.sub("-(?=-)", "- ", comment)
-    return f"{text} " if text.endswith("-") else text
-
-
-def copied(element: Element, *, verbatim: bool = False) -> Node:
-    """An element of a document with all that is in it, comments too, names as written.
-
-    Words between elements, and all in an element that says so (``xml:space``), keep every blank.
-    """
-    node = Node(element.name)
-    node.attributes.update(declared_prefixes(element))
-    node.attributes.update(element.attributes)
-    verbatim = (verbatim or has_mixed_content(element)) and not _gives_up_blanks(element)
-    if verbatim and element.text:
-        node.children.append(Words(element.text))
-    elif not verbatim:
-        node.text = element.content or None
-    for child in element.nodes:
-        if isinstance(child, Comment):
-            node.children.append(child)
-        elif isinstance(child, Element):
-            node.children.append(copied(child, verbatim=verbatim))
-        if verbatim and child.tail:
-            node.children.append(Words(child.tail))
-    return node
+def aside_text(node: Aside) -> str:
+    """A comment, without what would end it early, or a processing instruction."""
+    if isinstance(node, Instruction):
+        return f"<?{node.target} {node.text}?>" if node.text else f"<?{node.target}?>"
+    text = re.sub("-(?=-)", "- ", node.text)
+    return f"<!--{text} -->" if text.endswith("-") else f"<!--{text}-->"
 
 
 _SPACE = "xml:space"
 
 
-def keeps_blanks(element: Element) -> bool:
+def _keeps_blanks(element: Element) -> bool:
     """Does an element say itself that its spaces matter?"""
     return element.attributes.get(_SPACE) == "preserve"
 
 
-def has_mixed_content(element: Element) -> bool:
+def _has_mixed_content(element: Element) -> bool:
     """Are there words between the elements in an element, or does it keep its spaces?"""
-    if keeps_blanks(element):
+    if _keeps_blanks(element):
         return True
     words = sum(
         bool(text and not text.isspace()) for text in (element.text, *(node.tail for node in element.nodes))
@@ -172,21 +124,10 @@ def has_mixed_content(element: Element) -> bool:
 
 
 def _gives_up_blanks(element: Element) -> bool:
-    return element.attributes.get(_SPACE) == "default" and not has_mixed_content(element)
+    return element.attributes.get(_SPACE) == "default" and not _has_mixed_content(element)
 
 
-def declared_prefixes(element: Element) -> dict[str, str]:
-    """The prefixes that an element itself declares, as attributes."""
-    parent = element.parent
-    known = parent.namespaces if element.declared and parent is not None else {}
-    return {
-        f"xmlns:{prefix}" if prefix else "xmlns": uri
-        for prefix, uri in element.declared.items()
-        if known.get(prefix) != uri and not uri.startswith("http://www.w3.org/XML/")
-    }
-
-
-def declare(node: Node, element: Element, prefix: str, top: dict[str, str]) -> None:
+def declare(node: Xml, element: Element, prefix: str, top: dict[str, str]) -> None:
     """Let a node that gets data of an element say what the prefix is there, unless the ``top`` of the result does.
 
     ``top`` is prefix → URI; a prefix that is not in it gets what the root of the source says.
@@ -201,16 +142,16 @@ def declare(node: Node, element: Element, prefix: str, top: dict[str, str]) -> N
         del node.attributes[f"xmlns:{prefix}"]
 
 
-def undeclared_prefixes(root: Node) -> set[str]:
+def undeclared_prefixes(root: Xml) -> set[str]:
     """The prefixes of names below a node that nothing declares there."""
     found: set[str] = set()
-    waiting: list[tuple[Node, tuple[str, ...]]] = [(root, ("xml", "xmlns"))]
+    waiting: list[tuple[Xml, tuple[str, ...]]] = [(root, ("xml", "xmlns"))]
     while waiting:
         node, declared = waiting.pop()
         if names := [name.split(":", 1) for name in (node.name, *node.attributes) if ":" in name]:
             declared = (*declared, *(name for prefix, name in names if prefix == "xmlns"))
             found.update(prefix for prefix, _ in names if prefix not in declared)
-        waiting += [(child, declared) for child in node.elements()]
+        waiting += [(child, declared) for child in node.children()]
     return found
 
 

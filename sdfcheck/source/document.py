@@ -447,8 +447,7 @@ def fill(document: Document, text: str) -> int | None:
         fault = _parse(document, text.translate(table))
         _translate(document, {spare: letter for letter, spare in table.items()})
     document.root = document.elements[0] if document.elements else None
-    if declarations := [name for name in document.names if name.partition(":")[0] == _DECLARATION]:
-        _take_declarations(document, declarations)
+    take_declarations(document)
     return 0 if fault is None and _is_overloaded(document, text) else fault
 
 
@@ -555,9 +554,10 @@ def _put(document: Document, node: Aside, at: Element | None, last: Node | None)
     return node
 
 
-def _take_declarations(document: Document, names: list[str]) -> None:
+def take_declarations(document: Document) -> None:
     """Take the declarations of prefixes out of the attributes."""
-    for element in document.elements:
+    names = [name for name in document.names if name.partition(":")[0] == _DECLARATION]
+    for element in document.elements if names else ():
         attributes = element.attributes
         if own := {name.partition(":")[2]: attributes.pop(name) for name in names if name in attributes}:
             document.declared[element] = own

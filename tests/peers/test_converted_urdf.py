@@ -15,7 +15,7 @@ import pytest
 from lxml import etree
 
 from sdfcheck.cli.main import main
-from sdfcheck.convert.verify import Correspondence, verify
+from sdfcheck.convert.comparison import Correspondence, verify
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism

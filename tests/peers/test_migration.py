@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
+from sdfcheck.convert.comparison import verify
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.migrate.migrate import comparable, correspondence, migrated, models, sdf_to_sdf
 from sdfcheck.convert.migrate.migration import Migration
-from sdfcheck.convert.verify import verify
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model
@@ -85,10 +85,10 @@ def is_older(document: Document, newest: Version) -> bool:
 
 def test_libsdformat_reads_the_same_robot_from_an_older_version(tmp_path: Path) -> None:
     down = list(filter(None, map(to_old, unargued())))
-    printed_trees = trees([(one.draft.source, one.draft.text()) for one in down], tmp_path)
+    printed_trees = trees([(one.draft.original, one.draft.text()) for one in down], tmp_path)
     compared, wrong = 0, []
     for migration, tree in zip(down, printed_trees, strict=True):
-        source = migration.draft.source
+        source = migration.draft.original
         there = dict(models(read(etree.tostring(tree), source.path))) if tree is not None else {}
         for name, scope in models(source):
             robot = readable(scope)

@@ -156,7 +156,12 @@ def _same_word(a: str, b: str, tolerance: float) -> bool:
         mine, theirs = float(x), float(y)
     except ValueError:
         return False
-    return mine == theirs or math.isclose(mine, theirs, rel_tol=tolerance, abs_tol=min(tolerance, 1e-12))
+    return same_number(mine, theirs, tolerance)
+
+
+def same_number(a: float, b: float, tolerance: float) -> bool:
+    """Are two numbers of a robot equal, but for rounding?"""
+    return a == b or math.isclose(a, b, rel_tol=tolerance, abs_tol=min(tolerance, 1e-12))
 
 
 def divergences(

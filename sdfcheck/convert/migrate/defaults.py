@@ -48,7 +48,7 @@ def drop_dead(migration: Migration) -> None:
             continue
         dead = f"has no meaning in {migration.source} and is left out"
         for name in then.attributes.keys() - now.attributes.keys() - definition.attributes.keys():
-            if node.get(name) is not None:
+            if node.attributes.get(name) is not None:
                 text = f"attribute `{name}` of {title(node)} {dead}"
                 migration.lose(node, text, LossKind.DROPPED_ELEMENT)
                 node.unset(name)

@@ -7,13 +7,13 @@ from pathlib import PurePosixPath
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, Places, title
 from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
 from sdfcheck.convert.migrate.up import STATES
-from sdfcheck.convert.verify import Counterpart
 from sdfcheck.convert.writer import number, settled
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
@@ -66,7 +66,7 @@ def _turned(migration: Migration, places: Places, joint: RobotNode, axis: Node) 
 def _turn(migration: Migration, places: Places, joint: RobotNode, axis: Node) -> tuple[Array, str]:
     """How to turn the numbers, and what the flag is to say (nothing: no flag)."""
     xyz, flag = axis.find("xyz"), axis.find(_FLAG)
-    expressed = (xyz.get("expressed_in") or "").strip() if xyz is not None else ""
+    expressed = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
     flagged = flag is not None and flag.content.lower() in {"true", "1"}
     source = migration.source
     if not expressed and source < Version(1, 7) and (flagged or source < Version(1, 5)):
@@ -100,9 +100,7 @@ def _write_axis(migration: Migration, axis: Node, turn: Array, flag: str) -> Non
     elif xyz is None and migration.goes_below(5):
         axis.add("xyz").write("0 0 1")  # the default since 1.5; before, there must be one
     if flag and old is None:
-        added = Node(_FLAG)
-        added.parts.append(flag)
-        axis.append(added, after=xyz)
+        axis.enter(Node(_FLAG, flag), after=xyz)
     elif flag and old is not None and old.content.lower() not in {"true", "1"}:
         old.write(flag)
     elif not flag and old is not None:
@@ -117,8 +115,10 @@ _OWNERS = frozenset({"collision", "visual"})
 
 def split_capsules(migration: Migration) -> None:
     """Below 1.8, with poses in plain numbers."""
-    migration.draft.read()
-    for capsule in migration.root.of("capsule"):
+    capsules = migration.root.of("capsule")
+    if capsules:
+        migration.draft.read()
+    for capsule in capsules:
         owner = capsule.parent.parent if capsule.parent is not None else None
         radius, length = _size(capsule, "radius"), _size(capsule, "length")
         if owner is None or owner.name not in _OWNERS or radius is None or length is None:
@@ -129,7 +129,7 @@ def split_capsules(migration: Migration) -> None:
             continue
         for end, z in (("bottom", -length / 2), ("top", length / 2)):
             _add_sphere(owner, _free_name(owner, end), radius, at @ _lifted(z))
-        capsule.rename("cylinder")
+        capsule.name = "cylinder"
         migration.dropped_shapes.add("capsule")
         text = f"the capsule of {title(owner)} is written as a cylinder and two spheres: {migration.target} has none"
         migration.lose(owner, text, LossKind.UNSUPPORTED_GEOMETRY)
@@ -151,8 +151,8 @@ def _lifted(z: float) -> Array:
 
 def _free_name(owner: Node, end: str) -> str:
     assert owner.parent is not None
-    name = f"{owner.get('name')}_{end}"
-    while name in {sibling.get("name") for sibling in owner.parent.children(owner.name)}:
+    name = f"{owner.attributes.get('name')}_{end}"
+    while name in {sibling.attributes.get("name") for sibling in owner.parent.children(owner.name)}:
         name += "_"
     return name
 
@@ -160,16 +160,14 @@ def _free_name(owner: Node, end: str) -> str:
 def _add_sphere(owner: Node, name: str, radius: float, pose: Array) -> None:
     assert owner.parent is not None
     copied = owner.copy()
-    copied.set("name", name)
+    copied.attributes["name"] = name
     sphere = Node("sphere")
     capsule = copied.find("geometry/capsule")
     assert capsule is not None
-    capsule.replace([sphere])
-    size = Node("radius")
-    size.parts, size.parent = [number(radius)], sphere
-    sphere.parts.append(size)
-    owner.parent.append(copied, after=owner)
-    (copied.find("pose") or copied.add("pose", first=True)).write(numbers.pose(pose))
+    capsule.exchange([sphere])
+    sphere.nodes = [Node("radius", number(radius))]
+    owner.parent.enter(copied, after=owner)
+    (copied.find("pose") or copied.add_first("pose")).write(numbers.pose(pose))
 
 
 # Nested models written into the model around them, for versions without: ``arm::hand`` is ``arm__hand``.
@@ -182,7 +180,6 @@ _ENDS = ("parent", "child", "gripper_link", "palm_link")
 
 def flatten(migration: Migration) -> None:
     """Below 1.5, with all poses plain: put nested models into those around them, the inmost first."""
-    migration.draft.read()
     for top in [*migration.root.children("model"), *_in_worlds(migration.root)]:
         for nested in reversed([m for m in top.of("model") if not _is_inserted(m)]):
             _into_parent(migration, nested)
@@ -205,12 +202,12 @@ def _above(node: Node) -> list[Node]:
 
 
 def _into_parent(migration: Migration, nested: Node) -> None:
-    name = nested.get("name") or ""
+    name = nested.attributes.get("name", "")
     outer = _pose(nested)
     _rename_ends(nested, name)
     _rename_in_plugins(migration, nested, name)
     parts: list[Node] = []
-    own = {child.get("name") for child in nested.children() if child.name in _NAMED}
+    own = {child.attributes.get("name") for child in nested.children() if child.name in _NAMED}
     turn = outer[:3, :3]
     for part in nested.children():
         if part.name not in _MOVED and not part.is_custom:
@@ -218,12 +215,12 @@ def _into_parent(migration: Migration, nested: Node) -> None:
                 text = f"{title(part)} of nested model `{name}` is left out: {migration.target} does not nest"
                 migration.drop(part, text)
             continue
-        part.remove()
+        part.take_out()
         _rename(part, name, own)
         if part.name == "link":
             inner = _pose(part)
             if np.abs(outer - np.eye(4)).max() > 0:
-                (part.find("pose") or part.add("pose", first=True)).write(numbers.pose(outer @ inner))
+                (part.find("pose") or part.add_first("pose")).write(numbers.pose(outer @ inner))
         elif part.name == "joint" and np.abs(turn - np.eye(3)).max() > 0:
             _turn_axes(part, turn)
         parts.append(part)
@@ -231,14 +228,17 @@ def _into_parent(migration: Migration, nested: Node) -> None:
     for part in [nested, *nested.children()]:
         migration.enter_alone(part)
     if parts:
-        nested.replace(parts)
+        nested.exchange(parts)
     else:
-        nested.remove()
+        nested.take_out()
 
 
 def _rename_in_plugins(migration: Migration, nested: Node, name: str) -> None:
     inside = [child for child in nested.children() if child.name in _NAMED]
-    own = {(child.name, child.get("name") or ""): f"{name}__{child.get('name')}" for child in inside}
+    own = {
+        (child.name, child.attributes.get("name", "")): f"{name}__{child.attributes.get('name')}"
+        for child in inside
+    }
     rename_in_plugins(migration, nested, own)
     assert nested.parent is not None
     outside = {(kind, f"{name}::{old}"): new for (kind, old), new in own.items()}
@@ -273,7 +273,7 @@ def _turn_axes(joint: Node, turn: Array) -> None:
 
 def _rename(part: Node, model: str, own: set[str | None]) -> None:
     if part.name in _NAMED:
-        part.set("name", f"{model}__{part.get('name')}")
+        part.attributes["name"] = f"{model}__{part.attributes.get('name')}"
     for end in part.of(*_ENDS):
         first = end.content.partition("::")[0]
         if first in own:
@@ -293,11 +293,11 @@ _COMPONENTS = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz
 
 def write_inertias(migration: Migration) -> None:
     """Below 1.11: replace ``auto`` and densities by what comes out of them."""
-    places = Places(migration)
-    for link in migration.root.of("link"):
-        inertial, frame = link.find("inertial"), places.frame(link)
-        if inertial is None or (inertial.get("auto") or "").strip().lower() not in {"true", "1"}:
-            continue
+    links = ((link, link.find("inertial")) for link in migration.root.of("link"))
+    computed = [(link, own) for link, own in links if own is not None and _is_automatic(own)]
+    places = Places(migration) if computed else None
+    for link, inertial in computed:
+        frame = places.frame(link) if places is not None else None
         if isinstance(frame, Link):
             try:
                 _write(inertial, automatic(frame))
@@ -310,6 +310,10 @@ def write_inertias(migration: Migration) -> None:
         _remove(migration, inertial)
     for collision in migration.root.of("collision"):
         _remove(migration, collision)
+
+
+def _is_automatic(inertial: Node) -> bool:
+    return inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
 
 
 def _remove(migration: Migration, node: Node) -> None:
@@ -352,7 +356,7 @@ def drop_leftovers(migration: Migration) -> None:
 
 
 def _drop_in(migration: Migration, node: Node, definition: Definition) -> None:
-    for name in node.attributes():
+    for name in list(node.attributes):
         if ":" in name or name == "xmlns" or name in definition.attributes:
             continue
         if any(name in known.attributes for known in _meanings(migration, definition)):
@@ -412,7 +416,7 @@ def rename_states(migration: Migration) -> None:
     for state in migration.root.of("state"):
         for node in [*state.standard()]:
             if node.name in older:
-                node.rename(older[node.name])
+                node.name = older[node.name]
 
 
 def write_limits(migration: Migration) -> None:
@@ -441,16 +445,16 @@ def write_thread_pitch(migration: Migration) -> None:
             old.write(turned)
             migration.merge(pitch)
         else:
-            pitch.rename("thread_pitch")
+            pitch.name = "thread_pitch"
             pitch.write(turned)
 
 
 def name_plugins(migration: Migration) -> None:
     """Below 1.10 a plugin has a name."""
     for plugin in migration.root.of("plugin"):
-        if not (plugin.get("name") or "").strip():
-            name = PurePosixPath(plugin.get("filename") or "plugin").stem.removeprefix("lib")
-            plugin.set("name", name)
+        if not plugin.attributes.get("name", "").strip():
+            name = PurePosixPath(plugin.attributes.get("filename", "plugin")).stem.removeprefix("lib")
+            plugin.attributes["name"] = name
             migration.note(
                 plugin, f"{title(plugin)} was given this name: older consumers want one", LossKind.RENAMED
             )
@@ -462,12 +466,12 @@ def rename_sensors(migration: Migration) -> None:
     if migration.goes_below(6):
         words |= {"lidar": "ray", "gpu_lidar": "gpu_ray"}
     for sensor in migration.root.of("sensor"):
-        kind = (sensor.get("type") or "").strip()
+        kind = sensor.attributes.get("type", "").strip()
         if kind in words:
-            sensor.set("type", words[kind])
+            sensor.attributes["type"] = words[kind]
         for child in sensor.children():
             if child.name in words and sensor.find(words[child.name]) is None:
-                child.rename(words[child.name])
+                child.name = words[child.name]
 
 
 def rename_frame_ids(migration: Migration) -> None:
@@ -475,29 +479,29 @@ def rename_frame_ids(migration: Migration) -> None:
     for sensor in migration.root.of("sensor"):
         frame_id, camera = sensor.find("frame_id"), sensor.find("camera")
         if frame_id is not None and camera is not None and camera.find("optical_frame_id") is None:
-            frame_id.remove()
-            frame_id.rename("optical_frame_id")
-            camera.append(frame_id)
+            frame_id.take_out()
+            frame_id.name = "optical_frame_id"
+            camera.enter(frame_id)
 
 
 def put_gravity_into_physics(migration: Migration) -> None:
     """Below 1.6 gravity and the magnetic field are physics, and there is one physics."""
     for world in migration.root.children("world"):
-        physics = world.children("physics")
-        kept = next((p for p in physics if (p.get("default") or "").lower() in {"true", "1"}), None)
+        physics = list(world.children("physics"))
+        kept = next((p for p in physics if p.attributes.get("default", "").lower() in {"true", "1"}), None)
         kept = kept or (physics[0] if physics else None)
         for other in physics:
             if other is not kept:
                 migration.drop(other, f"{title(other)} is left out: {migration.target} has one physics")
         fields = [node for name in ("gravity", "magnetic_field") if (node := world.find(name)) is not None]
         if fields and kept is None:
-            kept = Node("physics", '<physics type="ode">')
-            world.append(kept, before=fields[0])
+            kept = Node("physics", type="ode")
+            world.enter(kept, before=fields[0])
         for node in fields:
             assert kept is not None
             if kept.find(node.name) is None:
-                node.remove()
-                kept.append(node)
+                node.take_out()
+                kept.enter(node)
             else:
                 migration.drop(node, f"{title(node)} is left out: the physics has its own")
 
@@ -518,15 +522,15 @@ def drop_frames(migration: Migration) -> None:
 def put_canonical_links_first(migration: Migration) -> None:
     """Below 1.7 a model moves with its first link."""
     for model in migration.root.of("model"):
-        name, links = (model.get("canonical_link") or "").strip(), model.children("link")
+        name, links = model.attributes.get("canonical_link", "").strip(), list(model.children("link"))
         if not name:
             continue
-        named = next((link for link in links if link.get("name") == name), None)
+        named = next((link for link in links if link.attributes.get("name") == name), None)
         if named is None:
             migration.lose(model, f"canonical link `{name}` cannot be kept", LossKind.REORDERED)
         elif named is not links[0]:
-            named.remove()
-            model.append(named, before=links[0])
+            named.take_out()
+            model.enter(named, before=links[0])
             migration.note(named, f"link `{name}` comes first: the model moves with it", LossKind.REORDERED)
         model.unset("canonical_link")
 
@@ -547,7 +551,7 @@ def resolve_poses(migration: Migration) -> None:
         if not placed and (pose is None or not _needs_change(pose, everything)):
             continue
         try:
-            refers = everything and pose is not None and bool((pose.get("relative_to") or "").strip())
+            refers = everything and pose is not None and bool(pose.attributes.get("relative_to", "").strip())
             plain = refers or placed
             element = migration.draft.element(owner).find("pose")
             changes.append((owner, pose, places.plain(owner) if plain else written_pose(element)))
@@ -558,7 +562,7 @@ def resolve_poses(migration: Migration) -> None:
 
 
 def _needs_change(pose: Node, everything: bool) -> bool:
-    given = pose.attributes()
+    given = pose.attributes
     if everything and "relative_to" in given:
         return True
     return any(name in given for name in _FORMAT)
@@ -572,7 +576,7 @@ def _write_pose(
         if owner.name == "include" and (given := owner.find("placement_frame")) is not None:
             migration.merge(given)
     if pose is None:
-        pose = owner.add("pose", first=True)
+        pose = owner.add_first("pose")
     text = numbers.pose(value)
     if _differs(pose, value):
         pose.write(text)
@@ -588,7 +592,7 @@ def _differs(pose: Node, value: Array) -> bool:
         written = [float(part) for part in pose.content.split()]
     except ValueError:
         return True
-    if not written and not pose.attributes().keys() & set(_FORMAT):
+    if not written and not pose.attributes.keys() & set(_FORMAT):
         return bool(np.abs(value - np.eye(4)).max() > 0)
     from sdfcheck.robot.motion.rotations import from_rpy, transform
 
@@ -628,7 +632,7 @@ def attach_joints_to_links(migration: Migration) -> None:
         end.write(name)
         own = end.parent.find("pose") if end.parent is not None else None
         if pose is not None and end.parent is not None and (own or np.abs(pose - np.eye(4)).max() > 0):
-            own = own or end.parent.add("pose", first=True)
+            own = own or end.parent.add_first("pose")
             own.write(numbers.pose(pose))
             for attribute in _FORMAT:
                 own.unset(attribute)
@@ -651,8 +655,11 @@ _END_NAMES = ("parent", "child")
 
 def move_world_joints(migration: Migration) -> None:
     """Below 1.10: into the one model that they are about; those of two models are lost."""
+    worlds = [world for world in migration.root.children("world") if world.has("joint")]
+    if not worlds:
+        return
     places = Places(migration)
-    for world in migration.root.children("world"):
+    for world in worlds:
         for joint in world.children("joint"):
             model = _only_model(world, joint)
             namesake = _namesake(joint, model) if model is not None else None
@@ -670,7 +677,10 @@ def move_world_joints(migration: Migration) -> None:
 
 def _namesake(joint: Node, model: Node) -> Node | None:
     """The part of a model that has the name of a joint."""
-    return next((other for other in model.children() if other.get("name") == joint.get("name")), None)
+    return next(
+        (other for other in model.children() if other.attributes.get("name") == joint.attributes.get("name")),
+        None,
+    )
 
 
 def _only_model(world: Node, joint: Node) -> Node | None:
@@ -679,7 +689,7 @@ def _only_model(world: Node, joint: Node) -> Node | None:
     heads = {end.partition("::")[0] for end in ends if end != "world"}
     if len(ends) != len(_END_NAMES) or len(heads) != 1 or ends[1] == "world":
         return None
-    models = {model.get("name"): model for model in world.children("model")}
+    models = {model.attributes.get("name"): model for model in world.children("model")}
     return models.get(heads.pop())
 
 
@@ -699,8 +709,8 @@ def _move(migration: Migration, places: Places, joint: Node, model: Node) -> Non
     for end in filter(None, map(joint.find, _END_NAMES)):
         if end.content != "world":
             end.write(end.content.partition("::")[2] or "__model__")
-    joint.remove()
-    model.append(joint)
+    joint.take_out()
+    model.enter(joint)
     text = f"{title(joint)} of the world is written into {title(model)}"
     migration.note(joint, text, LossKind.REORDERED)
 
@@ -708,11 +718,11 @@ def _move(migration: Migration, places: Places, joint: Node, model: Node) -> Non
 def _resolved(places: Places, joint: Node) -> tuple[Array | None, list[tuple[Node, Array]]]:
     """Parts relative to frames of the world: the pose in the child, and axes in the joint."""
     own, frame = joint.find("pose"), places.frame(joint)
-    refers = own is not None and bool((own.get("relative_to") or "").strip())
+    refers = own is not None and bool(own.attributes.get("relative_to", "").strip())
     turns: list[tuple[Node, Array]] = []
     for axis in (*joint.children("axis"), *joint.children("axis2")):
         xyz = axis.find("xyz")
-        expressed = (xyz.get("expressed_in") or "").strip() if xyz is not None else ""
+        expressed = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
         if xyz is None or not expressed or frame is None:
             continue
         turn = places.poses.in_scope(frame)[:3, :3].T @ places.poses.named(frame.scope, expressed)[:3, :3]

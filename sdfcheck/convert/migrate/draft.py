@@ -4,49 +4,40 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from sdfcheck.convert.loss import refusal
 from sdfcheck.convert.result import with_text
-from sdfcheck.source.document import Document, Element
-from sdfcheck.source.references import IN_QUOTES, escape, unescape
+from sdfcheck.convert.writer import aside_text, start_of
+from sdfcheck.source.altered import Altered, Xml, copied_as
+from sdfcheck.source.document import Aside, Comment, Document, Element
+from sdfcheck.source.document import Node as Read
+from sdfcheck.source.references import IN_QUOTES, escape
 
-# Elements that can be changed, with every character of the file that is not.
-#
-# Text that no step touches is written back as it was: spaces, quotes, comments, entities.
+# Elements that can be changed, on lines of their own.
 
 
-_ATTRIBUTE = re.compile(r"""(?<!\s)(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
-# A piece without an end goes on to the last character: many of them must not be searched one by one.
-_PIECE = re.compile(
-    r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|(?P<text>[^<]+)", re.DOTALL
-)
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _DEFAULT_INDENT = "  "
 
 
-class Node:
-    """An element of a draft: its tags as written, and between them texts and nodes.
+class Node(Xml):
+    """An element of a draft; ``source`` is the element as which it is written if nothing changes.
 
-    ``origin`` is the element of the source that it comes from, None for one that a step made. ``source`` is the
-    element whose text it is, and ``written`` its start tag there.
+    ``origin`` is the element of the source that it comes from, None for one that a step made.
     """
 
-    __slots__ = ("closing", "name", "opening", "origin", "parent", "parts", "source", "written")
+    __slots__ = ("source",)
+    parent: Node | None
 
-    def __init__(
-        self, name: str, opening: str = "", closing: str | None = None, origin: Element | None = None
-    ) -> None:
-        self.name = name
-        self.opening = opening or f"<{name}>"
-        self.closing = f"</{name}>" if closing is None else closing
-        self.origin = origin
-        self.source = origin
-        self.written = self.opening
-        self.parent: Node | None = None
-        self.parts: list[str | Node] = []
+    def __init__(self, name: str, text: str | None = None, /, **attributes: str) -> None:
+        super().__init__(name, text, **attributes)
+        self.source: Element | None = None
 
-    def __repr__(self) -> str:
-        return f"Node({self.opening})"
+    if TYPE_CHECKING:
+
+        def children(self, name: str | None = None) -> Iterator[Node]: ...
+        def walk(self) -> Iterator[Node]: ...
+        def reach(self, *names: str) -> Node: ...
 
     @property
     def place(self) -> Element | None:
@@ -57,236 +48,163 @@ class Node:
         return at.origin if at is not None else None
 
     @property
-    def is_custom(self) -> bool:
-        return ":" in self.name
-
-    def text(self) -> str:
-        """The node as it is to be written."""
-        return "".join(
-            (self.opening, *(p if isinstance(p, str) else p.text() for p in self.parts), self.closing)
-        )
+    def is_as_read(self) -> bool:
+        """Is its start tag the one of its source?"""
+        source = self.source
+        return source is not None and (self.name, self.attributes) == (source.name, source.attributes)
 
     # Looking
-
-    def children(self, name: str | None = None) -> list[Node]:
-        return [p for p in self.parts if isinstance(p, Node) and (name is None or p.name == name)]
 
     def find(self, path: str) -> Node | None:
         """The first child of a name, or what a path of such steps leads to."""
         at: Node | None = self
         for step in path.split("/"):
-            at = next((p for p in at.parts if isinstance(p, Node) and p.name == step), None) if at else None
+            at = next(at.children(step), None) if at is not None else None
         return at
-
-    def walk(self) -> Iterator[Node]:
-        """The node and all below it, in document order."""
-        yield self
-        for child in self.children():
-            yield from child.walk()
 
     def standard(self) -> Iterator[Node]:
         """All nodes below this one that are the format's: nothing custom, nothing inside plugins."""
-        for child in self.children():
-            if not child.is_custom:
-                yield child
-                if child.name != "plugin":
-                    yield from child.standard()
+        waiting: list[Read] = [self]
+        while waiting:
+            node = waiting.pop()
+            if isinstance(node, Node):
+                if node is not self:
+                    yield node
+                if node.name != "plugin":
+                    waiting += [
+                        inner for inner in reversed(node.nodes) if inner.name and ":" not in inner.name
+                    ]
 
     def of(self, *names: str) -> list[Node]:
         """The standard nodes below this one that have one of the names."""
         return [node for node in self.standard() if node.name in names]
 
-    @property
-    def content(self) -> str:
-        """The text as simulators read it: the first that is not blank, before any child."""
-        for part in self.parts:
-            if isinstance(part, Node):
-                break
-            for piece in _PIECE.finditer(part):
-                raw = piece["cdata"] if piece["cdata"] is not None else unescape(piece["text"] or "")
-                if raw.strip():
-                    return raw.strip()
-        return ""
-
-    def attributes(self) -> dict[str, str]:
-        found = _ATTRIBUTE.finditer(self.opening, len(self.name) + 1)
-        return {match[2]: unescape(match[3][1:-1]) for match in found}
-
-    def get(self, name: str) -> str | None:
-        return self.attributes().get(name)
-
     # Changing
-
-    def set(self, name: str, value: str) -> None:
-        """Give an attribute a value; a new one comes last."""
-        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
-            if match[2] == name:
-                quoted = _quoted(value, match[3][0])
-                self.opening = self.opening[: match.start(3)] + quoted + self.opening[match.end(3) :]
-                return
-        kept = self.opening.removesuffix(">").removesuffix("/").rstrip()
-        self.opening = f"{kept} {name}={_quoted(value)}{self.opening[len(kept) :]}"
 
     def unset(self, name: str) -> None:
         """Take an attribute out; what it says must be said elsewhere."""
-        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
-            if match[2] == name:
-                self.opening = self.opening[: match.start()] + self.opening[match.end() :]
-                return
+        self.attributes.pop(name, None)
 
     def rename_attribute(self, name: str, to: str) -> None:
-        for match in _ATTRIBUTE.finditer(self.opening, len(self.name) + 1):
-            if match[2] == name:
-                self.opening = self.opening[: match.start(2)] + to + self.opening[match.end(2) :]
-                return
-
-    def rename(self, name: str) -> None:
-        self.opening = f"<{name}{self.opening[len(self.name) + 1 :]}"
-        if self.closing:
-            self.closing = f"</{name}>"
-        self.name = name
-
-    def write(self, text: str) -> None:
-        """Replace the content; spaces and comments around it stay."""
-        self._open()
-        written = escape(text)
-        for number, part in enumerate(self.parts):
-            if isinstance(part, Node):
-                break
-            for piece in _PIECE.finditer(part):
-                raw = piece["cdata"] if piece["cdata"] is not None else piece["text"]
-                if raw and raw.strip():
-                    start = piece.start() + len(piece[0]) - len(piece[0].lstrip())
-                    end = piece.start() + len(piece[0].rstrip())
-                    self.parts[number] = part[:start] + written + part[end:]
-                    return
-        self.parts.insert(0, written)
+        self.attributes = {to if key == name else key: text for key, text in self.attributes.items()}
 
     def copy(self) -> Node:
         """A copy of it, without a parent."""
-        other = Node(self.name, self.opening, self.closing, self.origin)
-        other.written = self.written
-        for part in self.parts:
-            other.parts.append(part if isinstance(part, str) else part.copy())
-            if isinstance(inner := other.parts[-1], Node):
-                inner.parent = other
-        return other
+        made = copied_as(Node, self)
+        for one, other in zip(made.walk(), self.walk(), strict=True):
+            one.origin, one.source = other.origin, other.source
+        return made
 
-    def remove(self) -> None:
-        """Take the node out, with the line that it leaves empty."""
+    def take_out(self) -> None:
+        """Take the node out of its parent, with the line that it leaves empty."""
         parent = self.parent
         assert parent is not None
-        at = parent.parts.index(self)
-        del parent.parts[at]
-        self.parent = None
-        before = parent.parts[at - 1] if at else None
-        after = parent.parts[at] if at < len(parent.parts) else ""
-        if not isinstance(before, str) or before.rpartition("\n")[2].strip() or not isinstance(after, str):
-            return
-        if after.lstrip(" \t")[:1] in {"\n", "\r", ""}:
-            parent.parts[at - 1] = before.rstrip(" \t").removesuffix("\n").removesuffix("\r")
+        place = parent.nodes.index(self)
+        before, after = self._before, self.tail
+        is_beside = place > 0 and isinstance(parent.nodes[place - 1], Aside) and "\n" not in before
+        if before and not is_beside and not before.rpartition("\n")[2].strip():
+            follows = place + 1 < len(parent.nodes) and isinstance(parent.nodes[place + 1], Aside)
+            rest = after.lstrip(" \t")
+            if rest[:1] in {"\n", "\r"} or not (rest or follows):
+                before = before.rstrip(" \t").removesuffix("\n").removesuffix("\r")
+            else:
+                after = rest
+        del parent.nodes[place]
+        if place:
+            parent.nodes[place - 1].tail = before + after
         else:
-            parent.parts[at] = after.lstrip(" \t")
+            parent.text = before + after
+        self.parent = None
 
-    def replace(self, others: list[Node]) -> None:
+    def exchange(self, others: list[Node]) -> None:
         """Put others in the place of this node, each on a line of its own, after the comments in it."""
         parent, indent = self.parent, self.indent
         assert parent is not None
-        at = parent.parts.index(self)
-        comments = [c for part in self.parts if isinstance(part, str) for c in _COMMENT.findall(part)]
-        row: list[str | Node] = []
-        for comment in comments:
-            row += [comment] if not row else ["\n" + indent + comment]
+        row: list[Read] = [*(node for node in self.nodes if isinstance(node, Comment)), *others]
+        for node in row:
+            node.parent, node.tail = parent, "\n" + indent
         for other in others:
-            other.parent = parent
             other.shift(indent)
-            row += [other] if not row else ["\n" + indent, other]
-        parent.parts[at : at + 1] = row
+        row[-1].tail = self.tail
+        place = parent.nodes.index(self)
+        parent.nodes[place : place + 1] = row
         self.parent = None
 
-    def append(self, child: Node, *, before: Node | None = None, after: Node | None = None) -> Node:
+    def enter(self, child: Node, *, before: Node | None = None, after: Node | None = None) -> Node:
         """Put a child last, or beside a sibling, on a line of its own."""
-        self._open()
-        siblings = self.children()
+        siblings = list(self.children())
         beside = before or after or (siblings[-1] if siblings else None)
         child.parent = self
         if beside is None:
-            self._first(child)
+            self._enter_first(child)
             return child
         indent = beside.indent
         child.shift(indent)
-        at = self.parts.index(beside)
+        place = self.nodes.index(beside)
         if before is not None:
-            self.parts[at:at] = [child, "\n" + indent]
+            child.tail = "\n" + indent
+            self.nodes.insert(place, child)
         else:
-            self.parts[at + 1 : at + 1] = ["\n" + indent, child]
+            child.tail, beside.tail = beside.tail, "\n" + indent
+            self.nodes.insert(place + 1, child)
         return child
 
-    def add(self, name: str, text: str = "", *, first: bool = False) -> Node:
-        """A new last child, or a new first one."""
-        child = Node(name)
-        if text:
-            child.parts.append(escape(text))
-        siblings = self.children() if first else []
-        return self.append(child, before=siblings[0] if siblings else None)
+    def _enter_first(self, child: Node) -> None:
+        child.tail = ""
+        if self.nodes or self.text.strip():
+            self.nodes.append(child)
+            return
+        own = self.indent
+        inner = own + self._step
+        child.shift(inner)
+        self.text, child.tail = "\n" + inner, "\n" + own
+        self.nodes = [child]
 
-    def path(self, path: str) -> Node:
-        """The node that a path leads to; steps that are missing are made."""
-        at = self
-        for step in path.split("/"):
-            at = at.find(step) or at.add(step)
-        return at
+    def add(self, name: str, text: str | None = None, /, **attributes: str) -> Node:
+        """A new last child."""
+        return self.enter(Node(name, text, **attributes))
+
+    def add_first(self, name: str) -> Node:
+        """A new first child."""
+        return self.enter(Node(name), before=next(self.children(), None))
+
+    # Lines
+
+    @property
+    def _before(self) -> str:
+        """The text between it and the node before it."""
+        assert self.parent is not None
+        place = self.parent.nodes.index(self)
+        return self.parent.nodes[place - 1].tail if place else self.parent.text
 
     @property
     def indent(self) -> str:
         """The spaces before the node on its line; empty if something else is there."""
         if self.parent is None:
             return ""
-        at = self.parent.parts.index(self)
-        before = self.parent.parts[at - 1] if at else ""
-        if isinstance(before, Node) or "\n" not in before:
-            return self.parent.indent
-        blanks = before[before.rindex("\n") + 1 :]
-        return blanks if not blanks.strip() else self.parent.indent
+        _, line, blanks = self._before.rpartition("\n")
+        return blanks if line and not blanks.strip() else self.parent.indent
 
-    def shift(self, indent: str) -> None:
-        """Indent the lines below the first as for a node that is at ``indent``."""
-        last = self.parts[-1] if self.parts else ""
-        if not isinstance(last, str) or "\n" not in last or last[last.rindex("\n") :].strip():
-            return
-        old = last[last.rindex("\n") + 1 :]
-        if old != indent:
-            self._reindent("\n" + old, "\n" + indent)
-
-    def _reindent(self, old: str, new: str) -> None:
-        for number, part in enumerate(self.parts):
-            if isinstance(part, str):
-                self.parts[number] = part.replace(old, new)
-            else:
-                part._reindent(old, new)
-
-    def _first(self, child: Node) -> None:
-        own = self.indent
-        if self.parts and "".join(p for p in self.parts if isinstance(p, str)).strip():
-            self.parts += [child]
-            return
-        inner = own + self._step()
-        child.shift(inner)
-        self.parts = ["\n" + inner, child, "\n" + own]
-
+    @property
     def _step(self) -> str:
         own, outer = self.indent, self.parent.indent if self.parent is not None else ""
         return own[len(outer) :] or _DEFAULT_INDENT
 
-    def _open(self) -> None:
-        """Give an element without end tag one."""
-        if not self.closing:
-            self.opening = self.opening.removesuffix("/>").rstrip() + ">"
-            self.closing = f"</{self.name}>"
+    def shift(self, indent: str) -> None:
+        """Indent the lines below the first as for a node that is at ``indent``."""
+        last = self.nodes[-1].tail if self.nodes else self.text
+        _, line, old = last.rpartition("\n")
+        if line and not old.strip() and old != indent:
+            self._reindent("\n" + old, "\n" + indent)
 
-
-def _quoted(value: str, quote: str = '"') -> str:
-    return quote + escape(value, {quote: IN_QUOTES[quote]}) + quote
+    def _reindent(self, old: str, new: str) -> None:
+        self.text = self.text.replace(old, new)
+        for node in self.nodes:
+            node.tail = node.tail.replace(old, new)
+            if isinstance(node, Node):
+                node._reindent(old, new)
+            else:
+                node.text = node.text.replace(old, new)
 
 
 # A description on its way to another version: nodes that change, and what they mean at the moment.
@@ -296,69 +214,166 @@ _ENCODING = re.compile(
     r"""(<\?xml[^<>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
 )
 _LONE = re.compile(r"(?<!\r)\n")
+_ATTRIBUTE = re.compile(r"""(?<!\s)(\s+)([^\s=<>/"']+)\s*=\s*("[^"]*"|'[^']*')""")
+# A piece without an end goes on to the last character: many of them must not be searched one by one.
+_ASIDE = re.compile(r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)|(<!\[CDATA\[.*?(?:\]\]>|\Z))", re.DOTALL)
+_NAME = re.compile(r"<[^\s/>]*")
+_Run = tuple[str | tuple[str], ...]
+"""The texts and (as tuples) the comments and instructions between two elements."""
+_Runs = dict[tuple[_Run, Element | None], str]
+"""A run, and the element after it → how it is spelled in the file."""
 
 
-class Draft:
-    """The nodes of a document, and the document that they make when written."""
+class Draft(Altered):
+    """A document whose elements change. Text that no step touches is written as it was: spaces, quotes, entities.
 
-    def __init__(self, document: Document) -> None:
-        assert document.root is not None
-        self.source = document
-        self.root = _nodes(document)
-        place = document.spans.place(document.root)
+    ``text`` is that of the file, where the document has another one with the same places.
+    """
+
+    root: Node
+    _seen: Altered
+    """The document as it was read last."""
+
+    def __init__(self, document: Document, raw: str | None = None) -> None:
+        super().__init__(document, Node)
+        self._raw = document.source.text if raw is None else raw
+        self._laid: dict[Element, Element] = {}
+        """Element of the document → the one with its places, where it has none in the text."""
+        read = document
+        if isinstance(document, Altered):
+            read = with_text(document, self._raw)
+            self._laid = dict(zip(document.elements, read.elements, strict=True))
+        for node in self.root.walk():
+            node.source = node.origin
+        assert read.root is not None
+        place = read.spans.place(read.root)
         # Results are written as UTF-8, whatever the source was.
-        self._before = _ENCODING.sub(r"\1UTF-8", document.source.text[: place.start])
-        self._after = document.source.text[place.close_end :]
-        whole = document.source.text
-        self._has_crlf = "\r\n" in whole and not _LONE.search(whole)
-        self.document = document
-        self._elements: dict[Node, Element] = {}
-        self._pair()
+        self._head = _ENCODING.sub(r"\1UTF-8", self._raw[: place.start])
+        self._end = self._raw[place.close_end :]
+        self._has_crlf = "\r\n" in self._raw and not _LONE.search(self._raw)
 
-    def text(self) -> str:
-        text = self._before + self.root.text() + self._after
-        return _LONE.sub("\r\n", text) if self._has_crlf else text
-
-    def read(self) -> Document:
-        """Read what has been written so far; nodes and elements know each other again."""
-        if (text := self.text()) != self.document.source.text:
-            self.document = with_text(self.source, text)
-            self._pair()
-        return self.document
+    def read(self) -> Altered:
+        """The document as it is now, in which no later change is."""
+        self.number()
+        self._seen = Altered(self)
+        return self._seen
 
     def element(self, node: Node) -> Element:
         """The element of a node, as of the last reading."""
-        return self._elements[node]
+        return self._seen.copies[node]
 
-    def _pair(self) -> None:
-        root = self.document.root
-        assert root is not None
-        try:
-            pairs = list(zip(self.root.walk(), root.walk(), strict=True))
-        except ValueError:
+    def reread(self, text: str) -> Document:
+        """The document as which the text of the draft is read."""
+        if text == self.original.source.text:
+            return self.original
+        made = with_text(self.original, text)
+        root = made.root
+        if root is None or [one.name for one in root.walk()] != [one.name for one in self.root.walk()]:
             # A parser guesses otherwise at broken text once something around it has changed.
-            raise refusal(root, "the text is broken, so that it cannot be changed and read again") from None
-        self._elements = dict(pairs)
+            place = self.original.root
+            assert place is not None
+            raise refusal(place, "the text is broken, so that it cannot be changed and read again")
+        return made
 
+    # Writing
 
-def _nodes(document: Document) -> Node:
-    text, spans = document.source.text, document.spans
+    def text(self) -> str:
+        text = f"{self._head}{self._written(self.root)}{self._end}"
+        return _LONE.sub("\r\n", text) if self._has_crlf else text
 
-    def build(element: Element) -> Node:
-        place = spans.place(element)
-        node = Node(element.name, text[place.start : place.end], text[place.close : place.close_end], element)
+    def _written(self, node: Node) -> str:
+        start, runs, end = f"{start_of(node)}>", _Runs(), f"</{node.name}>"
+        if node.source is not None:
+            start, runs, end = self._as_read(node, node.source)
+        spelled: dict[str, str] | None = None
+        pieces: list[str] = []
+        for run, child in _runs(node):
+            raw = runs.get((run, child.source if isinstance(child, Node) else None))
+            if raw is None:
+                if spelled is None:
+                    spelled = dict(
+                        word for (known, _), text in runs.items() for word in _spelled(known, text)
+                    )
+                raw = "".join(_respelled(one, spelled) for one in run)
+            pieces.append(raw)
+            if isinstance(child, Node):
+                pieces.append(self._written(child))
+        inner = "".join(pieces)
+        if inner and start.endswith("/>"):
+            start, end = f"{start.removesuffix('/>').rstrip()}>", f"</{node.name}>"
+        return f"{start}{inner}{end}"
+
+    def _as_read(self, node: Node, source: Element) -> tuple[str, _Runs, str]:
+        """The start tag of a node, its texts as its source has them, and the end tag."""
+        read = self._laid.get(source, source)
+        text = self._raw if source.document is self.original else read.document.source.text
+        spans = read.document.spans
+        place = spans.place(read)
+        start, end = text[place.start : place.end], text[place.close : place.close_end]
+        is_renamed = source is self.original.root and self._raw is not self.original.source.text
+        if is_renamed or node.name != source.name:
+            start = _NAME.sub(f"<{node.name}", start, count=1)
+            end = f"</{node.name}>" if end else ""
+        if not node.is_as_read:
+            start = _changed(start, node.attributes, source.attributes)
+        runs = _Runs()
         at = place.end
-        for child in element.children():
-            inner = build(child)
-            start = spans.place(child)
-            if start.start > at:
-                node.parts.append(text[at : start.start])
-            inner.parent = node
-            node.parts.append(inner)
-            at = start.close_end
-        if place.close > at:
-            node.parts.append(text[at : place.close])
-        return node
+        for (run, child), own in zip(_runs(read), (*source.children(), None), strict=True):
+            inner = spans.place(child) if child is not None else None
+            runs[run, own] = text[at : place.close if inner is None else inner.start]
+            at = at if inner is None else inner.close_end
+        return start, runs, end
 
-    assert document.root is not None
-    return build(document.root)
+
+def _runs(element: Element) -> Iterator[tuple[_Run, Element | None]]:
+    """The texts and comments before each element in one, and those after the last."""
+    run: list[str | tuple[str]] = [element.text]
+    for node in element.nodes:
+        if isinstance(node, Element):
+            yield tuple(run), node
+            run = [node.tail]
+        else:
+            run += [(aside_text(node),), node.tail]
+    yield tuple(run), None
+
+
+def _spelled(run: _Run, raw: str) -> Iterator[tuple[str, str]]:
+    """Each text and comment of a run, without blanks around it, and how it is spelled in the file."""
+    ends = [0, *(place for match in _ASIDE.finditer(raw) if not match[1] for place in match.span()), len(raw)]
+    for one, start, end in zip(run, ends, ends[1:], strict=False):
+        yield (one.strip() if isinstance(one, str) else one[0]), raw[start:end].strip()
+
+
+def _respelled(one: str | tuple[str], spelled: dict[str, str]) -> str:
+    """A text or comment as it is spelled in the file, as far as it was there."""
+    if not isinstance(one, str):
+        return spelled.get(one[0], one[0])
+    words = one.strip()
+    return one.replace(words, spelled.get(words, escape(words))) if words else one
+
+
+def _changed(tag: str, now: dict[str, str], before: dict[str, str]) -> str:
+    """A start tag with the attributes that an element has now."""
+    pairs = zip(before.items(), now.items(), strict=False)
+    renamed = {
+        old: new for (old, text), (new, same) in pairs if text == same and not (old in now or new in before)
+    }
+    found = {match[2]: match for match in _ATTRIBUTE.finditer(tag)}
+    for name, match in sorted(found.items(), key=lambda pair: -pair[1].start()):
+        to = renamed.get(name, name)
+        if name not in before:
+            continue
+        if to not in now:
+            tag = tag[: match.start()] + tag[match.end() :]
+        elif now[to] != before[name]:
+            tag = tag[: match.start(3)] + _quoted(now[to], match[3][0]) + tag[match.end(3) :]
+        elif to != name:
+            tag = tag[: match.start(2)] + to + tag[match.end(2) :]
+    kept = tag.removesuffix(">").removesuffix("/").rstrip()
+    known = {*found, *renamed.values()}
+    added = (name for name in now if name not in known and now[name] != before.get(name))
+    return kept + "".join(f" {name}={_quoted(now[name])}" for name in added) + tag[len(kept) :]
+
+
+def _quoted(value: str, quote: str = '"') -> str:
+    return quote + escape(value, {quote: IN_QUOTES[quote]}) + quote

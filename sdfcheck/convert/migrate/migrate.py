@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from sdfcheck.convert import ledger
+from sdfcheck.convert.comparison import Correspondence
 from sdfcheck.convert.contents.entry import Contents
 from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.ledger import EVERYTHING, TEXT
@@ -39,9 +39,8 @@ from sdfcheck.convert.migrate.draft import Draft, Node
 from sdfcheck.convert.migrate.migration import Migration, title
 from sdfcheck.convert.migrate.up import go_up
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result, with_text
-from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion
-from sdfcheck.convert.rewrite.tidy import text_of
-from sdfcheck.convert.verify import Correspondence
+from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion, expanded
+from sdfcheck.convert.writer import render
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.version import VERSIONS, Version
 from sdfcheck.robot.errors import DescriptionError
@@ -52,6 +51,7 @@ from sdfcheck.robot.motion.mechanism import Link, Mechanism
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Altered, Xml, copied_as
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
@@ -61,17 +61,17 @@ from sdfcheck.source.text import Source
 
 def close(migration: Migration) -> None:
     """Enter what the draft still has of its source, and report what is gone in silence."""
-    ledger, source = migration.ledger, migration.draft.source
+    ledger, source = migration.ledger, migration.draft.original
     for node in migration.root.walk():
         element = node.source
         if element is None or element.document is not source:
             continue
-        if node.opening is node.written:
+        if node.is_as_read:
             ledger.take(element, EVERYTHING)
             continue
         # Of the format's own attributes steps take out what is said elsewhere.
         own = (name for name in element.attributes if ":" not in name)
-        ledger.take(element, EVERYTHING, TEXT, *own, *node.attributes())
+        ledger.take(element, EVERYTHING, TEXT, *own, *node.attributes)
     if migration.brought:
         _enter_brought(migration)
     assert source.root is not None
@@ -80,7 +80,7 @@ def close(migration: Migration) -> None:
 
 def custom_names(nodes: Iterable[Node]) -> frozenset[str]:
     """The names of custom elements and attributes in nodes."""
-    names = (name for top in nodes for node in top.walk() for name in (node.name, *node.attributes()))
+    names = (name for top in nodes for node in top.walk() for name in (node.name, *node.attributes))
     return frozenset(name for name in names if ":" in name and not name.startswith("xmlns"))
 
 
@@ -105,8 +105,11 @@ def _enter_brought(migration: Migration) -> None:
 
 def write_out_merges(migration: Migration) -> None:
     """Put the parts of merged includes in their place; a frame replaces the merged model."""
-    for include in migration.root.of("include"):
-        merges = (include.get("merge") or "").strip().lower() in {"true", "1"}
+    includes = migration.root.of("include")
+    if includes:
+        migration.draft.read()
+    for include in includes:
+        merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}
         since = 9 if include.parent is None or include.parent.name == "model" else 10
         if (
             merges
@@ -119,21 +122,23 @@ def write_out_merges(migration: Migration) -> None:
 
 def write_out_includes(migration: Migration) -> None:
     """Below 1.5 an include is in a world and says nothing but a uri; others are written out."""
-    for include in migration.root.of("include"):
+    includes = migration.root.of("include")
+    if includes:
+        migration.draft.read()
+    for include in includes:
         if _says_more(include) and (why := _write_out(migration, include, keeps_models=False)):
             _leave(migration, include, why)
 
 
 def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> str:
     """Replace an include by what it brings; returns why it has to stay."""
-    migration.draft.read()
     element = migration.draft.element(include)
     expansion = IncludeExpansion(migration.to_sdf, keeps_models=keeps_models)
-    branches = expansion.replacement(element)
-    if not branches:
+    brought = expansion.replacement(element)
+    if not brought:
         return expansion.notes[-1].partition(": the include stays: ")[2]
     migration.losses.extend(expansion.losses)
-    nodes = [node for branch in branches for node in _nodes(text_of(branch))]
+    nodes = _nodes(brought)
     for node in nodes:
         node.origin = include.origin
     name = included(element.document, element).name
@@ -143,18 +148,22 @@ def _write_out(migration: Migration, include: Node, *, keeps_models: bool) -> st
     migration.enter_alone(include)
     if include.place is not None:
         migration.brought.append((include.place, custom_names(nodes)))
-    for parameters in element.children(PARAMETERS) if include.source is not None else ():
+    for parameters in include.source.children(PARAMETERS) if include.source is not None else ():
         migration.ledger.take_whole(parameters)
-    include.replace(nodes)
+    include.exchange(nodes)
     return ""
 
 
-def _nodes(text: str) -> list[Node]:
-    """The nodes of a text, as parts of another file than that of the text."""
-    root = Draft(Document(Source(Path(), f"<sdf>\n{text}\n</sdf>"), Kind.SDF, [])).root
-    for node in root.walk():
-        node.origin = None
-    return root.children()
+def _nodes(elements: list[Xml]) -> list[Node]:
+    """Elements as nodes, as parts of another file."""
+    texts = (render(element, keeps_lines=True).partition("\n")[2] for element in elements)
+    document = Document(Source(Path(), f"<sdf>\n{''.join(texts)}</sdf>"), Kind.SDF, [])
+    assert document.root is not None
+    nodes = [copied_as(Node, element) for element in document.root.children()]
+    for node in nodes:
+        for part in node.walk():
+            part.source, part.origin = part.origin, None
+    return nodes
 
 
 def _says_more(include: Node) -> bool:
@@ -173,8 +182,11 @@ def _leave(migration: Migration, include: Node, why: str) -> None:
 
 def report_newer_files(migration: Migration) -> None:
     """On the way down an included file may be too new for the target; it is not touched."""
+    includes = migration.root.of("include")
+    if not includes:
+        return
     document = migration.draft.read()
-    for include in migration.root.of("include"):
+    for include in includes:
         found = included(document, migration.draft.element(include))
         other = found.document
         if other is None or other.kind is not Kind.SDF or other.root is None or include.place is None:
@@ -195,9 +207,9 @@ def report_newer_files(migration: Migration) -> None:
 # Source and result as robots, to be compared model by model.
 
 
-def comparisons(migration: Migration) -> list[Comparison]:
+def comparisons(migration: Migration, result: Document) -> list[Comparison]:
     """The models to compare; a model whose source cannot be read is reported."""
-    source, result = migration.draft.source, migration.draft.read()
+    source = migration.draft.original
     others = dict(models(result))
     elsewhere = _translated(migration)
     compared = list(_worlds(migration, source, result, elsewhere))
@@ -278,7 +290,7 @@ def _standing(world: Scope, migration: Migration | None) -> Mechanism:
         try:
             robot.links[name] = Link(name, poses.in_scope(model) @ _placement(model), model.place)
         except PoseError as error:
-            if migration is not None and model.place.document is migration.draft.source:
+            if migration is not None and model.place.document is migration.draft.original:
                 text = f"the pose of model `{name}` cannot be compared: {error}"
                 migration.losses.append(loss_at(model.place, LossKind.NOT_VERIFIED, text))
     return robot
@@ -333,10 +345,10 @@ def sdf_to_sdf(
     result could be right.
     """
     migration = migrated(document, target, keep_unknown=keep_unknown)
-    compared = comparisons(migration) if verified else []
-    close(migration)
     text = migration.draft.text()
-    written = migration.draft.read() if verified else read_result(text, document, Kind.SDF)
+    written = migration.draft.reread(text) if verified else read_result(text, document, Kind.SDF)
+    compared = comparisons(migration, written) if verified else []
+    close(migration)
     return conversion(document, text, written, migration.losses, compared, verified=verified)
 
 
@@ -348,6 +360,11 @@ def to_sdf(document: Document, version: Version) -> Conversion:
     from sdfcheck.convert.urdf_to_sdf.options import Options
 
     return urdf_to_sdf(document, Options(version))
+
+
+def written_out(document: Document) -> tuple[Document, IncludeExpansion]:
+    """The document with all includes replaced by what they bring, and what became of them."""
+    return expanded(document, to_sdf)
 
 
 def migrated(document: Document, target: Version, *, keep_unknown: bool = False) -> Migration:
@@ -363,9 +380,7 @@ def migrated(document: Document, target: Version, *, keep_unknown: bool = False)
         raise refusal(root, f"version {document.version!r} cannot be converted")
     if not target >= LOWEST:
         raise refusal(root, f"{target} is older than anything that can be written")
-    migration = Migration(document, target, to_sdf, keep_unknown=keep_unknown)
-    if document is not given:
-        tidy_root(migration.root)
+    migration = Migration(Draft(document, given.source.text), target, to_sdf, keep_unknown=keep_unknown)
     if target > migration.source:
         go_up(migration)
         write_out_merges(migration)
@@ -386,7 +401,7 @@ def _go_down(migration: Migration) -> None:
     drop_dead(migration)
     write_defaults(migration)
     _say_in_older_words(migration)
-    migration.root.set("version", str(migration.target))
+    migration.root.attributes["version"] = str(migration.target)
 
 
 def _say_in_older_words(migration: Migration) -> None:
@@ -417,13 +432,12 @@ _STEPS: tuple[tuple[int, Callable[[Migration], None]], ...] = (
 
 
 _OLD, _NEW = "gazebo", "sdf"
-_SURPLUS = len(_OLD) - len(_NEW)
 
 
 def with_newer_root(document: Document) -> Document:
     """The document as if its root were called ``sdf``; every place stays where it is in the file."""
     root = document.root
-    if root is None or root.name != _OLD or document.version != "1.2":
+    if root is None or root.name != _OLD or document.version != "1.2" or isinstance(document, Altered):
         return document
     place, text = document.spans.place(root), document.source.text
     start, end = place.start + 1, place.close + 2
@@ -431,10 +445,3 @@ def with_newer_root(document: Document) -> Document:
     if text.startswith(_OLD, end):
         changed = f"{changed[:end]}{_NEW:{len(_OLD)}}{changed[end + len(_OLD) :]}"
     return with_text(document, changed)
-
-
-def tidy_root(root: Node) -> None:
-    """Take out the spaces that kept the places."""
-    blanks = " " * _SURPLUS
-    root.opening = re.sub(rf"^<{_NEW}{blanks}(?=[\s>/])", f"<{_NEW}", root.opening)
-    root.closing = root.closing.replace(f"</{_NEW}{blanks}>", f"</{_NEW}>")

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.migrate.draft import Draft, Node
 from sdfcheck.convert.rewrite.include_expansion import ToSdf
-from sdfcheck.convert.verify import Counterpart
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import MergedFrame, Model, Scope
@@ -18,7 +18,7 @@ from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.reserved import MODEL_FRAME, WORLD_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import reference_of
-from sdfcheck.source.document import Comment, Document, Element
+from sdfcheck.source.document import Comment, Element
 
 # The shared state of a migration's steps: the draft, its target, and the losses.
 
@@ -31,11 +31,9 @@ class Migration:
     although the target does not have it.
     """
 
-    def __init__(
-        self, document: Document, target: Version, to_sdf: ToSdf, *, keep_unknown: bool = False
-    ) -> None:
-        self.draft = Draft(document)
-        self.source = Version.parse(document.version or "") or NEWEST
+    def __init__(self, draft: Draft, target: Version, to_sdf: ToSdf, *, keep_unknown: bool = False) -> None:
+        self.draft = draft
+        self.source = Version.parse(draft.version or "") or NEWEST
         self.target = target
         self.to_sdf = to_sdf
         self.keep_unknown = keep_unknown
@@ -81,16 +79,16 @@ class Migration:
         self.lose(node, message, kind, severity)
         if node.source is not None:
             self.ledger.drop(node.source)
-        node.remove()
+        node.take_out()
 
     def merge(self, node: Node) -> None:
         """Take out a node that is said elsewhere."""
         self.enter(node)
-        node.remove()
+        node.take_out()
 
     def enter_alone(self, node: Node) -> None:
         """A node is going to be said elsewhere, and its comments; what is in it is entered apart."""
-        if node.source is not None and node.source.document is self.draft.source:
+        if node.source is not None and node.source.document is self.draft.original:
             self.ledger.take(node.source)
             for part in node.source.nodes:
                 if isinstance(part, Comment):
@@ -104,7 +102,7 @@ class Migration:
 
 def title(node: Node) -> str:
     """The name of a node in a sentence."""
-    own = (node.get("name") or "").strip()
+    own = node.attributes.get("name", "").strip()
     return f"{node.name} `{own}`" if own else f"`{node.name}`"
 
 

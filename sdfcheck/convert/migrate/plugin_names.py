@@ -22,13 +22,13 @@ def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[st
     """Follow new names in the plugins and custom elements of a model; ``names`` are new ones by kind and old name."""
     for plugin in _plugins(model):
         for node in plugin.walk():
-            for attribute, text in node.attributes().items():
+            for attribute, text in list(node.attributes.items()):
                 if node is plugin and (not node.is_custom or attribute == "name"):
                     continue
                 found = _meant(migration, plugin, node, f"{node.name}/{attribute}", text, names)
                 if found is not None:
-                    node.set(attribute, found)
-            if not node.children() and (
+                    node.attributes[attribute] = found
+            if next(node.children(), None) is None and (
                 found := _meant(migration, plugin, node, node.name, node.content, names)
             ):
                 node.write(found)

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import numbers
 from sdfcheck.convert.migrate.defaults import write_defaults
 from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, Places, title
 from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
-from sdfcheck.convert.verify import Counterpart
 from sdfcheck.convert.writer import number
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.poses import PoseError, written_pose
@@ -85,11 +85,11 @@ def _apply(migration: Migration, operation: Operation, node: Node) -> None:
         flag = node.find(source)
         if flag is not None and flag.content.lower() in _TRUE:
             path, _, attribute = target.partition("/@")
-            node.path(path).set(attribute, operation.value)
+            node.reach(*path.split("/")).attributes[attribute] = operation.value
     elif name == "remove":
         for child in node.children(source):
             migration.merge(child)
-    elif name == "remove_empty" and source[0] == "@" and node.get(source[1:]) == "":
+    elif name == "remove_empty" and source[0] == "@" and node.attributes.get(source[1:]) == "":
         node.unset(source[1:])
 
 
@@ -103,13 +103,13 @@ def _carry(migration: Migration, node: Node, operation: Operation) -> None:
         return
     path, _, attribute = target.partition("/@")
     if attribute:
-        node.path(path).set(attribute, found.content)
+        node.reach(*path.split("/")).attributes[attribute] = found.content
     elif node.find(target) is not None:
         migration.lose(
             found, f"{title(found)} is left out: there is a `{target}` already", LossKind.DROPPED_ELEMENT
         )
     elif operation.name == "copy":
-        node.path(target).write(found.content)
+        node.reach(*target.split("/")).write(found.content)
         return
     else:
         _move(node, found, target)
@@ -121,25 +121,25 @@ def _carry(migration: Migration, node: Node, operation: Operation) -> None:
 def _move(node: Node, found: Node, target: str) -> None:
     *path, name = target.split("/")
     if not path and found.parent is node:
-        found.rename(name)
+        found.name = name
         return
     beside = found
     while beside.parent is not node and beside.parent is not None:
         beside = beside.parent
-    found.remove()
-    found.rename(name)
+    found.take_out()
+    found.name = name
     if path:
-        node.path("/".join(path)).append(found)
+        node.reach(*path).enter(found)
     else:
-        node.append(found, before=beside)
+        node.enter(found, before=beside)
 
 
 def _carry_attribute(node: Node, name: str, target: str) -> None:
-    text = node.get(name)
+    text = node.attributes.get(name)
     if text is None:
         return
     if target[0] == "@":
-        if text.strip() and node.get(target[1:]) is None:
+        if text.strip() and node.attributes.get(target[1:]) is None:
             node.rename_attribute(name, target[1:])
         else:
             node.unset(name)
@@ -161,22 +161,22 @@ def rename_clashing(migration: Migration) -> None:
     libsdformat renames the joint, then the frame; references go on to name the other part.
     """
     for model in migration.root.of("model", "world"):
-        taken = {child.get("name") for child in _named(model) if child.name in {"link", "model"}}
+        taken = {child.attributes.get("name") for child in _named(model) if child.name in {"link", "model"}}
         for kind in ("joint", "frame"):
             for child in model.children(kind):
-                name = child.get("name")
+                name = child.attributes.get("name")
                 if name and name in taken:
                     new = _rename(migration, model, child, "the name is taken")
                     if kind == "joint":
                         migration.renamed_joints[_prefix(model) + name] = _prefix(model) + new
-            taken |= {child.get("name") for child in model.children(kind)}
+            taken |= {child.attributes.get("name") for child in model.children(kind)}
 
 
 def rename_reserved(migration: Migration) -> None:
     """``world`` and ``__x__`` are the format's own."""
     for model in migration.root.of("model", "world"):
         for child in _named(model):
-            name = child.get("name") or ""
+            name = child.attributes.get("name", "")
             if not _is_reserved(name):
                 continue
             new = _rename(migration, model, child, "the name is reserved from 1.7 on")
@@ -198,13 +198,13 @@ def _is_reserved(name: str) -> bool:
 
 
 def _rename(migration: Migration, model: Node, child: Node, why: str) -> str:
-    name = child.get("name") or ""
-    taken = {other.get("name") for other in _named(model)}
+    name = child.attributes.get("name", "")
+    taken = {other.attributes.get("name") for other in _named(model)}
     new = f"{name}_{child.name}"
     while new in taken:
         new += "_"
     migration.lose(child, f"{title(child)} is called `{new}`: {why}", LossKind.RENAMED)
-    child.set("name", new)
+    child.attributes["name"] = new
     rename_in_plugins(migration, model, {(child.name, name): new})
     return new
 
@@ -216,14 +216,14 @@ def _refer(model: Node, old: str, new: str) -> None:
             if end.content == old:
                 end.write(new)
         for pose in user.of("pose"):
-            if (pose.get("frame") or "").strip() == old:
-                pose.set("frame", new)
+            if pose.attributes.get("frame", "").strip() == old:
+                pose.attributes["frame"] = new
 
 
 def _prefix(model: Node) -> str:
     names, at = "", model
     while at.parent is not None and at.parent.name == "model":
-        names, at = f"{at.get('name')}::{names}", at.parent
+        names, at = f"{at.attributes.get('name')}::{names}", at.parent
     return names
 
 
@@ -248,19 +248,21 @@ def unflatten(migration: Migration) -> None:
 
 
 def _heads(model: Node) -> list[str]:
-    names = [child.get("name") or "" for child in model.children() if child.name in _MOVED]
+    names = [child.attributes.get("name", "") for child in model.children() if child.name in _MOVED]
     return list(dict.fromkeys(name.partition("::")[0] for name in names if "::" in name and name[:2] != "::"))
 
 
 def _gather(migration: Migration, model: Node, head: str) -> None:
     prefix = f"{head}::"
-    members = [c for c in model.children() if c.name in _MOVED and (c.get("name") or "").startswith(prefix)]
+    members = [
+        c for c in model.children() if c.name in _MOVED and c.attributes.get("name", "").startswith(prefix)
+    ]
     poses = _poses(migration, members, f"{prefix}__model__")
     nested = Node("model")
-    nested.set("name", head)
-    model.append(nested, before=members[0])
+    nested.attributes["name"] = head
+    model.enter(nested, before=members[0])
     for member in members:
-        name = (member.get("name") or "")[len(prefix) :]
+        name = member.attributes.get("name", "")[len(prefix) :]
         if name == "__model__" and member.name == "frame":
             _dissolve(migration, nested, member, prefix)
         elif _refers_out(member, prefix):
@@ -269,29 +271,29 @@ def _gather(migration: Migration, model: Node, head: str) -> None:
             migration.lose(member, text, LossKind.RENAMED)
             if member.name == "joint":
                 migration.renamed_joints[f"{prefix}{name}"] = kept
-            member.set("name", kept)
+            member.attributes["name"] = kept
         else:
-            member.remove()
-            member.set("name", name)
+            member.take_out()
+            member.attributes["name"] = name
             _cut(member, prefix)
             if member in poses:
                 own = member.find("pose") or member.add("pose")
                 own.unset("relative_to")
-                if member.get("attached_to"):
-                    own.set("relative_to", "__model__")  # else it would be in what it is attached to
+                if member.attributes.get("attached_to"):
+                    own.attributes["relative_to"] = "__model__"  # else it would be in what it is attached to
                 own.write(numbers.pose(poses[member]))
-            nested.append(member)
+            nested.enter(member)
 
 
 def _poses(migration: Migration, members: list[Node], own: str) -> dict[Node, Array]:
     """The poses in the nested model of what is placed in the outer one."""
     places = Places(migration)
-    frame = next((m for m in members if m.get("name") == own), None)
+    frame = next((m for m in members if m.attributes.get("name") == own), None)
     found: dict[Node, Array] = {}
     for member in members:
         pose = member.find("pose")
-        reference = (pose.get("relative_to") or "").strip() if pose is not None else ""
-        attached = member.get("attached_to") if member.name == "frame" else None
+        reference = pose.attributes.get("relative_to", "").strip() if pose is not None else ""
+        attached = member.attributes.get("attached_to") if member.name == "frame" else None
         if member.name not in {"link", "frame", "model"} or member is frame or (attached and not reference):
             continue
         if reference.startswith(own.removesuffix("__model__")) or (frame is None and not reference):
@@ -308,14 +310,14 @@ def _poses(migration: Migration, members: list[Node], own: str) -> dict[Node, Ar
 
 def _dissolve(migration: Migration, nested: Node, frame: Node, prefix: str) -> None:
     """The frame that stood for the model says where it is and by which link it moves."""
-    attached = (frame.get("attached_to") or "").strip()
+    attached = frame.attributes.get("attached_to", "").strip()
     if attached.startswith(prefix):
-        nested.set("canonical_link", attached[len(prefix) :])
+        nested.attributes["canonical_link"] = attached[len(prefix) :]
     pose = frame.find("pose")
     migration.merge(frame)
     if pose is not None:
-        pose.remove()
-        nested.append(pose)
+        pose.take_out()
+        nested.enter(pose)
 
 
 def _refers_out(member: Node, prefix: str) -> bool:
@@ -323,23 +325,23 @@ def _refers_out(member: Node, prefix: str) -> bool:
         ends = [end.content for end in (member.find("parent"), member.find("child")) if end is not None]
         return any(not end.startswith(prefix) for end in ends)
     if member.name == "frame":
-        return not (member.get("attached_to") or prefix).startswith(prefix)
+        return not (member.attributes.get("attached_to", prefix)).startswith(prefix)
     if member.name == "gripper":
         return any(not n.content.startswith(prefix) for n in member.of("gripper_link", "palm_link"))
     return False
 
 
 def _cut(member: Node, prefix: str) -> None:
-    attached = member.get("attached_to") or ""
+    attached = member.attributes.get("attached_to", "")
     if attached.startswith(prefix):
-        member.set("attached_to", attached[len(prefix) :])
+        member.attributes["attached_to"] = attached[len(prefix) :]
     for node in member.standard():
         if node.name in _ENDS and node.content.startswith(prefix):
             node.write(node.content[len(prefix) :])
         for name, attribute in _REFERENCES:
-            reference = node.get(attribute) or ""
+            reference = node.attributes.get(attribute, "")
             if node.name == name and reference.startswith(prefix):
-                node.set(attribute, reference[len(prefix) :])
+                node.attributes[attribute] = reference[len(prefix) :]
 
 
 # Parts that newer versions write otherwise and libsdformat does not convert.
@@ -357,7 +359,7 @@ def go_up(migration: Migration) -> None:
         if minor == 8:
             unflatten(migration)
         convert_to(migration, minor)
-    migration.root.set("version", str(migration.target))
+    migration.root.attributes["version"] = str(migration.target)
 
 
 def _allow_no_friction_limit(migration: Migration) -> None:
@@ -381,7 +383,7 @@ def _fold_inner_frames(migration: Migration) -> None:
     if not frames or document is None:
         return
     for pose in migration.root.of("pose"):
-        reference = (pose.get("frame") or "").strip()
+        reference = pose.attributes.get("frame", "").strip()
         frame = _inner_frame(pose, reference, frames)
         if frame is None:
             continue
@@ -402,7 +404,7 @@ def _inner_frame(pose: Node, reference: str, frames: set[Node]) -> Node | None:
     at = pose.parent
     while at is not None and reference and at.name not in {"model", "world"}:
         for frame in at.children("frame"):
-            if frame in frames and frame.get("name") == reference:
+            if frame in frames and frame.attributes.get("name") == reference:
                 return frame
         at = at.parent
     return None
@@ -413,13 +415,13 @@ def _move_moved_elements(migration: Migration) -> None:
     for imu in migration.root.of("imu"):
         topic = imu.find("topic")
         if topic is not None and imu.parent is not None and imu.parent.find("topic") is None:
-            topic.remove()
-            imu.parent.append(topic, before=imu)
+            topic.take_out()
+            imu.parent.enter(topic, before=imu)
     for ode in migration.root.of("ode"):
         flag = ode.find("provide_feedback")
         if flag is not None and ode.parent is not None and ode.parent.find("provide_feedback") is None:
-            flag.remove()
-            ode.parent.append(flag, after=ode)
+            flag.take_out()
+            ode.parent.enter(flag, after=ode)
 
 
 def _look_for_lost_ends(migration: Migration) -> None:
@@ -432,14 +434,14 @@ def _look_for_lost_ends(migration: Migration) -> None:
 def _drop_inertial_references(migration: Migration) -> None:
     for inertial in migration.root.of("inertial"):
         pose = inertial.find("pose")
-        if pose is not None and (reference := (pose.get("relative_to") or "").strip()):
+        if pose is not None and (reference := pose.attributes.get("relative_to", "").strip()):
             text = f"the reference `{reference}` of an inertial's pose is left out: no consumer regards it"
             migration.lose(pose, text, LossKind.UNKNOWN_REFERENCE)
             pose.unset("relative_to")
 
 
 def _report_several_models(migration: Migration) -> None:
-    for extra in migration.root.children("model")[1:]:
+    for extra in [*migration.root.children("model")][1:]:
         text = f"{title(extra)} is not read: from 1.8 on a file has one model at its top"
         migration.lose(extra, text, LossKind.DROPPED_ELEMENT)
 
@@ -453,7 +455,7 @@ def _convert_thread_pitch(migration: Migration) -> None:
             pitch = -2 * math.pi / float(old.content)
         except (ValueError, ZeroDivisionError):
             continue
-        old.rename("screw_thread_pitch")
+        old.name = "screw_thread_pitch"
         old.write(number(pitch))
 
 
@@ -467,7 +469,7 @@ def _rename_states(migration: Migration) -> None:
                 *STATES.values(),
             }
             if node.name in STATES and inside and not _is_inserted(node):
-                node.rename(STATES[node.name])
+                node.name = STATES[node.name]
 
 
 def _is_inserted(node: Node) -> bool:

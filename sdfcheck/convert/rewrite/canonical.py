@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from sdfcheck.convert.broken_text import refuse_broken
 from sdfcheck.convert.file_difference import compare_files
-from sdfcheck.convert.migrate.migrate import to_sdf
+from sdfcheck.convert.migrate.migrate import written_out
 from sdfcheck.convert.result import with_text
-from sdfcheck.convert.rewrite.include_expansion import expanded
-from sdfcheck.convert.rewrite.tidy import Branch, NumberStyle, branch_of, render, tidy_sdf, tidy_urdf
-from sdfcheck.convert.writer import number
+from sdfcheck.convert.writer import number, render
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.mass import automatic
@@ -21,9 +23,137 @@ from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
+
+# Numbers of a description in canonical form: shortest exact texts, poses in one unit.
+
+
+_NUMERIC = frozenset(
+    ("angle", "color", "double", "float", "pose", "quaternion", "vector2d", "vector2i", "vector3")
+)
+_URDF_NUMERIC = {
+    "axis": ("xyz",),
+    "box": ("size",),
+    "calibration": ("falling", "rising"),
+    "capsule": ("length", "radius"),
+    "color": ("rgba",),
+    "cylinder": ("length", "radius"),
+    "dynamics": ("damping", "friction"),
+    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
+    "limit": ("effort", "lower", "upper", "velocity", "acceleration", "jerk"),
+    "mass": ("value",),
+    "mesh": ("scale",),
+    "mimic": ("multiplier", "offset"),
+    "origin": ("xyz", "quat_xyzw"),
+    "safety_controller": ("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit"),
+    "sphere": ("radius",),
+}
+_URDF_FREE = frozenset(("gazebo", "ros2_control", "transmission"))
+_MOST_ROUNDS = 8
+
+
+@dataclass(frozen=True, slots=True)
+class NumberStyle:
+    """How numbers are written.
+
+    ``degrees``: whether the angles of poses are; None leaves each as it is. ``snap``:
+    angles this near to a whole degree (in degrees) become one. ``precision``:
+    significant digits, None for as many as it takes.
+    """
+
+    degrees: bool | None = None
+    snap: float | None = None
+    precision: int | None = None
+
+    def number(self, value: float) -> str:
+        return number(value if self.precision is None else float(f"{value:.{self.precision}g}"))
+
+    def numbers(self, text: str) -> str:
+        """A list of numbers in canonical form; any other text as it is."""
+        values = floats(text)
+        if values is None or len(values) != len(text.split()):
+            return text
+        return " ".join(self.number(value) for value in values)
+
+    def angle(self, value: float, *, degrees: bool) -> str:
+        """An angle in degrees or radians, snapped; what comes out stays as it is when it goes in again."""
+        text = self.number(value)
+        for _ in range(_MOST_ROUNDS):
+            following = self.number(self._snapped(float(text), degrees))
+            if following == text:
+                break
+            text = following
+        return text
+
+    def _snapped(self, value: float, degrees: bool) -> float:
+        if self.snap is None or not math.isfinite(value):
+            return value
+        in_degrees = value if degrees else math.degrees(value)
+        whole = round(in_degrees)
+        if abs(in_degrees - whole) > self.snap:
+            return value
+        return float(whole) if degrees else math.radians(whole)
+
+
+def _tidy_sdf(root: Xml, version: Version, style: NumberStyle) -> None:
+    """Rewrite the numbers of an SDF tree wherever the format has numbers; nothing in plugins or custom elements."""
+    waiting: list[tuple[Xml, Definition]] = [(root, schema(version).root)]
+    while waiting:
+        element, definition = waiting.pop()
+        for name, value in element.attributes.items():
+            attribute = definition.attributes.get(name)
+            if attribute is not None and attribute.type in _NUMERIC:
+                element.attributes[name] = style.numbers(value)
+        if definition.type == "pose":
+            _tidy_pose(element, definition, style)
+        elif definition.type in _NUMERIC and element.content:
+            element.write(style.numbers(element.content))
+        if not definition.open:
+            inner = ((child, definition.children.get(child.name)) for child in element.children())
+            waiting += [(child, found) for child, found in inner if found is not None]
+
+
+def _tidy_urdf(root: Xml, style: NumberStyle) -> None:
+    """Rewrite the numbers of a URDF tree; nothing in extensions."""
+    for child in root.children():
+        if child.name in _URDF_FREE or ":" in child.name:
+            continue
+        for name in _URDF_NUMERIC.get(child.name, ()):
+            if name in child.attributes:
+                child.attributes[name] = style.numbers(child.attributes[name])
+        angles = floats(child.attributes.get("rpy", "")) if child.name == "origin" else None
+        if angles is not None and len(angles) == 3:
+            child.attributes["rpy"] = " ".join(style.angle(angle, degrees=False) for angle in angles)
+        _tidy_urdf(child, style)
+
+
+def _tidy_pose(pose: Xml, definition: Definition, style: NumberStyle) -> None:
+    values = floats(pose.content)
+    if values is None:
+        return
+    if len(values) != 6 or pose.attributes.get("rotation_format", "euler_rpy").strip() != "euler_rpy":
+        pose.write(style.numbers(pose.content))
+        return
+    has_degrees = pose.attributes.get("degrees", "").strip().lower() in {"true", "1"}
+    wants_degrees = has_degrees if style.degrees is None else style.degrees
+    angles = list(values[3:])
+    if wants_degrees and not has_degrees and any(angles) and "degrees" in definition.attributes:
+        angles = [math.degrees(angle) for angle in angles]
+        pose.attributes["degrees"] = "true"
+        has_degrees = True
+    elif has_degrees and not wants_degrees:
+        angles = [math.radians(angle) for angle in angles]
+        del pose.attributes["degrees"]
+        has_degrees = False
+    texts = [style.number(value) for value in values[:3]]
+    pose.write(" ".join((*texts, *(style.angle(angle, degrees=has_degrees) for angle in angles))))
+
+
+# The canonical form of a description: the same robot, written one way.
+
 
 _DEGREES_SINCE = Version(1, 9)
 _DUST = 1e-15
@@ -62,18 +192,18 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
     notes: list[str] = []
     current = document
     if is_sdf and style.expand_includes:
-        current, expanded = _without_includes(current)
-        notes += expanded
+        current, expansion = written_out(current)
+        notes += expansion.notes
     if is_sdf and style.expand_auto_inertials:
         current, computed = _without_automatic_inertias(current)
         notes += computed
-    assert current.root is not None
-    root = branch_of(current.root)
+    made = Altered(current)
+    assert made.root is not None
     if is_sdf:
-        tidy_sdf(root, survey(current).version, style.numbers)
+        _tidy_sdf(made.root, survey(current).version, style.numbers)
     else:
-        tidy_urdf(root, style.numbers)
-    result = with_text(document, render(root, current))
+        _tidy_urdf(made.root, style.numbers)
+    result = with_text(document, render(made.root, made.prolog, made.epilog, keeps_lines=True))
     if style.numbers.snap is None and style.numbers.precision is None:
         _verify(document, result)
     return CanonicalText(result.source.text, tuple(notes))
@@ -95,15 +225,7 @@ def _verify(document: Document, result: Document) -> None:
         )
 
 
-def _without_includes(document: Document) -> tuple[Document, list[str]]:
-    root, expansion = expanded(document, to_sdf)
-    if not expansion.expanded:
-        return document, expansion.notes
-    return with_text(document, render(root, document)), expansion.notes
-
-
-def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]]:
-    assert document.root is not None
+def _without_automatic_inertias(document: Document) -> tuple[Altered, list[str]]:
     frames = {
         link.element: link
         for scope in root_of(document).all_scopes()
@@ -111,20 +233,21 @@ def _without_automatic_inertias(document: Document) -> tuple[Document, list[str]
         if isinstance(link, Link)
     }
     notes: list[str] = []
-    root, changed = branch_of(document.root), False
-    for branch in root.walk():
-        frame = frames.get(branch.origin) if branch.origin is not None else None
-        inertial = branch.find("inertial") if frame is not None else None
+    made = Altered(document)
+    assert made.root is not None
+    for element in made.root.walk():
+        frame = frames.get(element.origin) if element.origin is not None else None
+        inertial = element.find("inertial") if frame is not None else None
         if inertial is None or frame is None or not _is_automatic(inertial):
             continue
         body = _computed(frame, notes)
         if body is not None:
             _write_inertial(inertial, body)
-            changed = True
-    return (with_text(document, render(root, document)) if changed else document), notes
+    made.number()
+    return made, notes
 
 
-def _is_automatic(inertial: Branch) -> bool:
+def _is_automatic(inertial: Xml) -> bool:
     return inertial.attributes.get("auto", "").strip().lower() in {"true", "1"}
 
 
@@ -140,23 +263,21 @@ def _place(element: Element) -> str:
     return f"{element.document.path}:{element.span.begin.line}"
 
 
-def _write_inertial(inertial: Branch, body: MassProperties) -> None:
+def _write_inertial(inertial: Xml, body: MassProperties) -> None:
     """Written out: pose, mass and moments; comments and other elements stay."""
     del inertial.attributes["auto"]
-    inertial.parts = [
-        part for part in inertial.parts if not (isinstance(part, Branch) and part.name in _COMPUTED)
-    ]
+    inertial.drop(_COMPUTED)
     largest = float(np.abs(body.moments).max())
-    inertia = Branch("inertia")
+    inertia = Xml("inertia")
     pairs = (("ixx", 0, 0), ("ixy", 0, 1), ("ixz", 0, 2), ("iyy", 1, 1), ("iyz", 1, 2), ("izz", 2, 2))
     for name, row, column in pairs:
-        inertia.parts.append(Branch(name, _clean(float(body.moments[row, column]), largest)))
+        inertia.add(name, _clean(float(body.moments[row, column]), largest))
     size = float(np.abs(body.center).max())
     center = " ".join(_clean(float(value), max(size, 1.0)) for value in body.center)
-    computed: list[Branch] = [Branch("mass", number(body.mass)), inertia]
+    computed = [Xml("mass", number(body.mass)), inertia]
     if size > _DUST:
-        computed.insert(0, Branch("pose", f"{center} 0 0 0"))
-    inertial.parts += computed
+        computed.insert(0, Xml("pose", f"{center} 0 0 0"))
+    inertial.extend(*computed)
 
 
 def _clean(value: float, scale: float) -> str:

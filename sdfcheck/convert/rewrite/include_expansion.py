@@ -8,21 +8,26 @@ from pathlib import Path
 
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible, loss_at
 from sdfcheck.convert.result import Conversion
-from sdfcheck.convert.rewrite.tidy import Branch, Remark, branch_of, render
-from sdfcheck.convert.writer import numbers
+from sdfcheck.convert.writer import numbers, render
 from sdfcheck.files.uris import locate, scheme_of
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.includes.included import Included, included, included_element, with_parameters
+from sdfcheck.robot.includes.included import (
+    Included,
+    included,
+    included_element,
+    includes_of,
+    with_parameters,
+)
 from sdfcheck.robot.motion.rotations import to_rpy
 from sdfcheck.robot.reserved import MODEL_FRAME
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.altered import Altered
-from sdfcheck.source.document import Document, Element, Spans
+from sdfcheck.source.altered import Altered, Xml, copied
+from sdfcheck.source.document import Document, Element, Node
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.relative import relative_path
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source
 
 # Files that were found beside an included file, as found from the file that includes it.
 
@@ -82,67 +87,61 @@ class IncludeExpansion:
         self.expanded: list[Element] = []
         """The includes that were replaced."""
 
-    def expand(self, branch: Branch, document: Document, chain: tuple[Document, ...] = ()) -> None:
-        """Replace all includes below a branch that was copied from a document."""
-        parts: list[Branch | Remark | str] = []
-        for part in branch.parts:
-            if not isinstance(part, Branch) or part.name in _FREE or ":" in part.name:
-                parts.append(part)
-            elif part.name != "include":
-                self.expand(part, document, chain)
-                parts.append(part)
-            elif chain and self.keeps_models and _is_complete(part):
-                parts.append(part)
-            else:
-                parts += self._replaced(part, branch, document, (*chain, document))
-        branch.parts = parts
+    def expand(self, element: Xml, document: Document, chain: tuple[Document, ...] = ()) -> None:
+        """Replace all includes in an element that was copied from a document."""
+        for child in element.children():
+            if child.name in _FREE or ":" in child.name:
+                continue
+            if child.name != "include":
+                self.expand(child, document, chain)
+                continue
+            if chain and self.keeps_models and _is_complete(child):
+                continue
+            if nodes := self._replacement(child, element.name, document, (*chain, document)):
+                element.replace(child, *nodes)
 
-    def replacement(self, include: Element) -> list[Branch]:
-        """The nodes that replace one include; empty if it has to stay."""
+    def replacement(self, include: Element) -> list[Xml]:
+        """The elements that replace one include; empty if it has to stay."""
         assert include.parent is not None
-        document, own = include.document, branch_of(include)
-        parts = self._replaced(own, Branch(include.parent.name), document, (document,))
-        return [part for part in parts if isinstance(part, Branch) and part is not own]
+        document = include.document
+        nodes = self._replacement(copied(include), include.parent.name, document, (document,))
+        return [node for node in nodes if isinstance(node, Xml)]
 
-    def _replaced(
-        self, include: Branch, parent: Branch, document: Document, chain: tuple[Document, ...]
-    ) -> list[Branch | Remark | str]:
+    def _replacement(
+        self, include: Xml, parent: str, document: Document, chain: tuple[Document, ...]
+    ) -> list[Node]:
+        """The comments of an include, and what it brings; ``parent`` is the name of what it is in."""
         assert include.origin is not None
         found = included(document, include.origin)
         obstacle = _obstacle(found, chain)
         if found.model is None or found.document is None or obstacle:
-            return self._kept(include, found, obstacle)
+            self._keep(include.origin, found, obstacle, chain)
+            return []
         so_far = len(self.expanded)
         try:
             model = self._in_version(found, survey(document).version)
-            brought = branch_of(model)
+            brought = copied(model)
             self.expand(brought, model.document, chain)
         except _Stays as error:
             del self.expanded[so_far:]
-            return self._kept(include, found, str(error))
+            self._keep(include.origin, found, str(error), chain)
+            return []
         if model is not found.model:
-            for branch in brought.walk():  # its places are in no file
-                branch.origin = include.origin
+            for part in brought.walk():  # its places are in no file
+                part.origin = include.origin
         self.expanded.append(include.origin)
         self._report_root(model)
         _relocate(brought, found, document)
         _declare(brought, model, include.origin)
-        result: list[Branch | Remark | str] = [part for part in include.parts if isinstance(part, Remark)]
-        for remark in result:
-            assert isinstance(remark, Remark)
-            remark.beside = False
         parts = _merged(brought, include, found, parent) if found.merge else [_whole(brought, include, found)]
-        parts[0].after_gap = include.after_gap and not result
-        return [*result, *parts]
+        return [*(node for node in include.nodes if not isinstance(node, Element)), *parts]
 
-    def _kept(self, include: Branch, found: Included, why: str) -> list[Branch | Remark | str]:
-        """The include as it is; one that parameters outside of it have changed needs that one to stay."""
-        assert include.origin is not None
-        self.notes.append(f"{_place(include.origin)}: the include stays: {why}")
-        is_copy = isinstance(include.origin.document, Altered)
+    def _keep(self, include: Element, found: Included, why: str, chain: tuple[Document, ...]) -> None:
+        """Leave an include as it is; one that parameters outside of it have changed needs that one to stay."""
+        self.notes.append(f"{_place(include)}: the include stays: {why}")
+        is_copy = len(chain) > 1 and isinstance(include.document, Altered)
         if is_copy and found.model is not None and isinstance(found.model.document, Altered):
             raise _Stays(f"its {PARAMETERS} change an include that stays")
-        return [include]
 
     def _report_root(self, model: Element) -> None:
         """Custom data of an included file that is not in its model stays there."""
@@ -179,8 +178,8 @@ class IncludeExpansion:
         if isinstance(document, Altered):
             if found.model.name == "robot":
                 raise _Stays(f"{PARAMETERS} of another include change this URDF")
-            assert document.root is not None
-            document = Rendered(document, branch_of(document.root))
+            document = Altered(document)
+            finish(document)
         try:
             conversion = self.to_sdf(document, version)
         except NotConvertible as error:
@@ -201,59 +200,44 @@ class _Stays(Exception):
     """Why an include cannot be replaced."""
 
 
-class Rendered(Document):
-    """The text of a branch as a document; every place in it is the name of what an element was read from."""
-
-    def __init__(self, document: Document, root: Branch) -> None:
-        super().__init__(Source(document.path, render(root, document)), document.kind, [])
-        self.library = document.library
-        self.included_by = document.included_by
-        self._sources = _sources(root, document.root)
-
-    @property
-    def spans(self) -> Spans:
-        if self._spans is None:
-            self._spans = _Borrowed(self, self._sources)
-        return self._spans
-
-    @property
-    def is_expanded(self) -> bool:
-        return True
-
-
-class _Borrowed(Spans):
-    """Every place in an element is the name of the element that it was read from."""
-
-    def __init__(self, document: Rendered, sources: list[Element]) -> None:
-        super().__init__(document.source, document.scan)
-        self._of = dict(zip(document.elements, sources, strict=True))
-
-    def span(self, element: Element, start: int, end: int) -> Span:
-        return self._of[element].span
-
-
-def _sources(root: Branch, fallback: Element | None) -> list[Element]:
-    """For each element what it was read from, or what around it was."""
-    found: list[Element] = []
-    waiting = [(root, fallback)]
-    while waiting:
-        branch, around = waiting.pop()
-        source = branch.origin if branch.origin is not None else around
-        assert source is not None
-        found.append(source)
-        waiting += [(child, source) for child in reversed(list(branch.children))]
-    return found
-
-
-def expanded(document: Document, to_sdf: ToSdf) -> tuple[Branch, IncludeExpansion]:
-    """The tree of a document with its includes replaced, and what became of them."""
+def finish(document: Altered) -> None:
+    """Make the tree of a document, as it was changed, and its text go together again."""
     assert document.root is not None
-    root, expansion = branch_of(document.root), IncludeExpansion(to_sdf)
-    expansion.expand(root, document)
-    return root, expansion
+    document.number()
+    text = render(document.root, document.prolog, document.epilog, keeps_lines=True)
+    document.source = Source(document.path, text)
 
 
-def _is_complete(include: Branch) -> bool:
+def expanded(document: Document, to_sdf: ToSdf) -> tuple[Document, IncludeExpansion]:
+    """The document with its includes replaced, and what became of them; itself if none was."""
+    expansion, made = IncludeExpansion(to_sdf), Altered(document)
+    assert made.root is not None
+    expansion.expand(made.root, document)
+    if not expansion.expanded:
+        return document, expansion
+    finish(made)
+    return made, expansion
+
+
+def needs_writing_out(document: Document) -> bool:
+    """Does a document include URDF, itself or in what it includes?"""
+    seen: list[Document] = []
+    waiting = [document]
+    while waiting:
+        at = waiting.pop()
+        seen.append(at)
+        for include in includes_of(at):
+            found = included(at, include)
+            if found.model is None or found.document is None:
+                continue
+            if found.model.name == "robot":
+                return True
+            if found.document not in seen:
+                waiting.append(found.document)
+    return False
+
+
+def _is_complete(include: Xml) -> bool:
     """Can an include be moved with what it is in? Without a pose it would be placed anew."""
     merges = include.attributes.get("merge", "").strip().lower() in {"true", "1"}
     return not merges and include.find("pose") is not None and include.find(PARAMETERS) is None
@@ -279,7 +263,7 @@ def _obstacle(found: Included, chain: tuple[Document, ...]) -> str:
     return ""
 
 
-def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
+def _whole(brought: Xml, include: Xml, found: Included) -> Xml:
     """The model, light or actor with what the include says of it."""
     brought.attributes["name"] = found.name or ""
     for name in _OVERRIDES:
@@ -287,65 +271,66 @@ def _whole(brought: Branch, include: Branch, found: Included) -> Branch:
         if given is not None:
             brought.put(given)
     placement = include.find("placement_frame")
-    if placement is not None and placement.text:
-        brought.attributes["placement_frame"] = placement.text
-    brought.parts += [child for child in include.children if child.name == "plugin" or _is_custom(child)]
+    if placement is not None and placement.content:
+        brought.attributes["placement_frame"] = placement.content
+    brought.extend(*_given(include))
     _give_custom(brought, include)
     return brought
 
 
-def _give_custom(branch: Branch, *others: Branch) -> None:
-    """Hand on the custom attributes of the element that a branch replaces."""
+def _give_custom(element: Xml, *others: Xml) -> None:
+    """Hand on the custom attributes of the elements that one replaces."""
     for other in others:
         for name, text in other.attributes.items():
             if ":" in name and not name.startswith("xmlns:"):
-                branch.attributes.setdefault(name, text)
+                element.attributes.setdefault(name, text)
 
 
-def _merged(brought: Branch, include: Branch, found: Included, parent: Branch) -> list[Branch]:
+def _merged(brought: Xml, include: Xml, found: Included, parent: str) -> list[Xml]:
     """The parts of a model that is merged, after the frame that replaces it."""
     name = f"_merged__{found.name}__model__"
-    frame = Branch("frame", name=name)
-    first = next(
-        (child for kind in ("link", "model") for child in brought.children if child.name == kind), None
-    )
+    frame = Xml("frame", name=name)
+    first = next((child for kind in ("link", "model") for child in brought.children(kind)), None)
     link = brought.attributes.get("canonical_link", "").strip() or (first.attributes["name"] if first else "")
     if link:
         frame.attributes["attached_to"] = link
-    pose = include.find("pose") or brought.find("pose") or Branch("pose", "0 0 0 0 0 0")
-    pose.attributes.setdefault("relative_to", "world" if parent.name == "world" else MODEL_FRAME)
+    pose = include.find("pose") or brought.find("pose") or Xml("pose", "0 0 0 0 0 0")
+    pose.attributes.setdefault("relative_to", "world" if parent == "world" else MODEL_FRAME)
     placement = include.find("placement_frame")
-    if (placement is not None and placement.text) or brought.attributes.get("placement_frame", "").strip():
+    if (placement is not None and placement.content) or brought.attributes.get("placement_frame", "").strip():
         pose = _placed(found, name)
-    frame.parts.append(pose)
+    frame.append(pose)
     _give_custom(frame, include, brought)
-    parts = [child for child in brought.children if child.name in _MERGED or ":" in child.name]
+    parts = [child for child in brought.children() if child.name in _MERGED or ":" in child.name]
     prefixes = {key: uri for key, uri in brought.attributes.items() if key.startswith("xmlns:")}
     for part in (frame, *parts):
         if part is not frame:
             _settle(part, name)
         used = _prefixes(part)
         part.attributes.update({key: uri for key, uri in prefixes.items() if key[6:] in used})
-    given = [child for child in include.children if child.name == "plugin" or _is_custom(child)]
-    return [frame, *parts, *given]
+    return [frame, *parts, *_given(include)]
 
 
-def _is_custom(child: Branch) -> bool:
-    """Is it someone's own, and not an order to the consumer of the include?"""
-    return ":" in child.name and child.name != PARAMETERS
+def _given(include: Xml) -> list[Xml]:
+    """The plugins and custom elements of an include, but for orders to its consumer."""
+    return [
+        child
+        for child in include.children()
+        if child.name == "plugin" or (child.is_custom and child.name != PARAMETERS)
+    ]
 
 
-def _placed(found: Included, name: str) -> Branch:
+def _placed(found: Included, name: str) -> Xml:
     """The pose of a merged model's own frame where another frame of it is placed."""
     document = found.include.document
     scope = root_of(document).scope_of(found.include)
     assert scope is not None
     own = scope.root.poses.in_scope(scope.nodes[name])
     relative_to = "world" if scope.kind == "world" else MODEL_FRAME
-    return Branch("pose", numbers((*own[:3, 3], *to_rpy(own[:3, :3]))), relative_to=relative_to)
+    return Xml("pose", numbers((*own[:3, 3], *to_rpy(own[:3, :3]))), relative_to=relative_to)
 
 
-def _settle(part: Branch, name: str) -> None:
+def _settle(part: Xml, name: str) -> None:
     """Parts that were relative to the model's own frame refer to the frame in its place."""
     _rename_frame(part, name)
     if part.name == "frame" and not part.attributes.get("attached_to", "").strip():
@@ -353,33 +338,33 @@ def _settle(part: Branch, name: str) -> None:
     elif part.name in {"include", "link", "model"}:
         pose = part.find("pose")
         if pose is None:
-            pose = Branch("pose", "0 0 0 0 0 0")
+            pose = Xml("pose", "0 0 0 0 0 0")
             part.put(pose)
         if not pose.attributes.get("relative_to", "").strip():
             pose.attributes["relative_to"] = name
 
 
-def _rename_frame(part: Branch, name: str) -> None:
+def _rename_frame(part: Xml, name: str) -> None:
     for attribute in ("attached_to", "expressed_in", "relative_to"):
         if part.attributes.get(attribute, "").strip() == MODEL_FRAME:
             part.attributes[attribute] = name
-    if part.name in {"child", "parent"} and part.text == MODEL_FRAME:
-        part.text = name
-    for child in part.children:
+    if part.name in {"child", "parent"} and part.content == MODEL_FRAME:
+        part.write(name)
+    for child in part.children():
         if child.name in _FREE or ":" in child.name:
             continue
         if part.name != "model" or child.name == "pose":  # a nested model has a frame of its own
             _rename_frame(child, name)
 
 
-def _relocate(brought: Branch, found: Included, document: Document) -> None:
-    for branch in brought.walk():
-        text = relocated(branch.name, branch.text, found, document)
+def _relocate(brought: Xml, found: Included, document: Document) -> None:
+    for part in brought.walk():
+        text = relocated(part.name, part.content, found, document)
         if text is not None:
-            branch.text = text
+            part.write(text)
 
 
-def _declare(brought: Branch, model: Element, include: Element) -> None:
+def _declare(brought: Xml, model: Element, include: Element) -> None:
     """Declare the prefixes that the model uses and only its own file declares."""
     there, here = model.namespaces, include.namespaces
     for prefix in sorted(_prefixes(brought)):
@@ -388,6 +373,6 @@ def _declare(brought: Branch, model: Element, include: Element) -> None:
             brought.attributes.setdefault(f"xmlns:{prefix}", uri)
 
 
-def _prefixes(branch: Branch) -> set[str]:
-    names = [name for one in branch.walk() for name in (one.name, *one.attributes)]
+def _prefixes(element: Xml) -> set[str]:
+    names = [name for one in element.walk() for name in (one.name, *one.attributes)]
     return {name.partition(":")[0] for name in names if ":" in name and not name.startswith("xmlns:")}

@@ -12,8 +12,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 import numpy as np
 
 from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NONE, NOTHING, PARENT, WAS
-from sdfcheck.convert.rewrite.include_expansion import Rendered
-from sdfcheck.convert.rewrite.tidy import Branch, branch_of
+from sdfcheck.convert.rewrite.include_expansion import finish
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.values import number
 from sdfcheck.robot.errors import DescriptionError
@@ -24,6 +23,7 @@ from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -35,7 +35,7 @@ def is_marked(document: Document) -> bool:
     return document.root is not None and any(map(_was_link, document.root.walk()))
 
 
-def _was_link(element: Element | Branch) -> bool:
+def _was_link(element: Element) -> bool:
     return element.name == "frame" and JOINT in element.attributes and PARENT in element.attributes
 
 
@@ -63,17 +63,16 @@ class _Separation:
     """A document in which the links that became part of others are apart; those in ``kept`` stay as they are."""
 
     def __init__(self, document: Document, kept: Container[_Survivor]) -> None:
-        assert document.root is not None
-        self.before = document
+        self.before, self.document = document, Altered(document)
         self.survivors: dict[_Survivor, list[str]] = {}
-        root = branch_of(document.root)
-        for model in [branch for branch in root.walk() if branch.name == "model"]:
+        assert self.document.root is not None
+        for model in [element for element in self.document.root.walk() if element.name == "model"]:
             self._separate(model, kept)
-        self.document = Rendered(document, root)
+        finish(self.document)
 
-    def _separate(self, model: Branch, kept: Container[_Survivor]) -> None:
+    def _separate(self, model: Xml, kept: Container[_Survivor]) -> None:
         frames, links = _by_name(model, "frame"), _by_name(model, "link")
-        parts: dict[str, dict[str, Branch]] = {}
+        parts: dict[str, dict[str, Xml]] = {}
         """Link → what became part of it, by name."""
         for name, frame in frames.items():
             if not _was_link(frame):
@@ -110,38 +109,38 @@ class _Separation:
                     yield one
 
 
-def _by_name(model: Branch, kind: str) -> dict[str, Branch]:
+def _by_name(model: Xml, kind: str) -> dict[str, Xml]:
     """The parts of a model of one kind whose names nothing else of that kind has."""
-    named = [(one.attributes.get("name", ""), one) for one in model.children if one.name == kind]
+    named = [(one.attributes.get("name", ""), one) for one in model.children(kind)]
     counts = Counter(name for name, _ in named)
     return {name: one for name, one in named if name and counts[name] == 1}
 
 
-def _restore_names(model: Branch, apart: Container[str]) -> None:
+def _restore_names(model: Xml, apart: Container[str]) -> None:
     """Let joints and plugins name the links that are apart again."""
     for part in model.walk():
         end = part.find("parent") if part.name == "joint" else None
         if end is not None and end.attributes.get(LINK) in apart:
-            end.text = end.attributes.pop(LINK)
-        if part.name == "plugin" and any(one.attributes.get(WAS, "") in apart for one in part.children):
+            end.write(end.attributes.pop(LINK))
+        if part.name == "plugin" and any(one.attributes.get(WAS, "") in apart for one in part.children()):
             _as_before(part)
 
 
-def _as_before(plugin: Branch) -> None:
+def _as_before(plugin: Xml) -> None:
     """Give the parameters of a plugin the texts that they had."""
-    for part in [part for part in plugin.children if WAS in part.attributes]:
+    for part in [part for part in plugin.children() if WAS in part.attributes]:
         before = part.attributes.pop(WAS)
         if before == NONE:
-            plugin.parts.remove(part)
+            plugin.remove(part)
         else:
-            part.text = before
+            part.write(before)
 
 
 def _models(document: Document) -> list[Model]:
     return list(root_of(document).each(Model))
 
 
-def _to_joint(frame: Branch, child: str, parent: str) -> None:
+def _to_joint(frame: Xml, child: str, parent: str) -> None:
     """The frame that a fixed joint has left becomes the joint."""
     place = _pose(frame)
     frame.name = "joint"
@@ -151,69 +150,72 @@ def _to_joint(frame: Branch, child: str, parent: str) -> None:
         MERGED: "true",
         **{name: text for name, text in frame.attributes.items() if ":" in name},
     }
-    frame.parts[:0] = [place, Branch("parent", parent), Branch("child", child)]
+    frame.insert(0, place, Xml("parent", parent), Xml("child", child))
 
 
-def _pose(frame: Branch) -> Branch:
+def _pose(frame: Xml) -> Xml:
     """The pose of a frame, which is in what it is attached to where it says nothing else."""
-    pose = frame.find("pose") or Branch("pose", "0 0 0 0 0 0")
-    if pose in frame.parts:
-        frame.parts.remove(pose)
+    pose = frame.find("pose")
+    if pose is None:
+        pose = Xml("pose", "0 0 0 0 0 0")
+    else:
+        frame.remove(pose)
     pose.attributes.setdefault("relative_to", frame.attributes.get("attached_to", ""))
     return pose
 
 
-def _to_link(frame: Branch) -> None:
+def _to_link(frame: Xml) -> None:
     place, inertial = _pose(frame), frame.find(INERTIAL)
     frame.name = "link"
     frame.attributes = {
         name: text for name, text in frame.attributes.items() if name not in {JOINT, PARENT, "attached_to"}
     }
-    frame.parts.insert(0, place)
+    frame.insert(0, place)
     if inertial is None:
-        frame.parts.insert(1, _none())
+        frame.insert(1, _none())
     else:
         inertial.name = "inertial"
 
 
-def _none() -> Branch:
+def _none() -> Xml:
     """The inertial of a link that URDF gives none."""
-    made = Branch("inertial", **{NOTHING: "true"})
-    moments = Branch("inertia")
-    moments.parts += [Branch(name, "0") for name in _MOMENTS]
-    made.parts += [Branch("mass", "0"), moments]
+    made = Xml("inertial", **{NOTHING: "true"})
+    made.add("mass", "0")
+    moments = made.add("inertia")
+    for name in _MOMENTS:
+        moments.add(name, "0")
     return made
 
 
-def _take_apart(link: Branch, apart: Mapping[str, Branch]) -> None:
+def _take_apart(link: Xml, apart: Mapping[str, Xml]) -> None:
     """Give the links what was theirs."""
-    for part in list(link.children):
+    for part in link.children():
         owner = apart.get(part.attributes.get(LINK, ""))
         if owner is not None:
-            link.parts.remove(part)
+            link.remove(part)
             del part.attributes[LINK]
             pose = part.find("pose")
             if part.name in {"visual", "collision"} or pose is not None:
                 _place_in(part, pose, link, owner)
-            owner.parts.append(part)
+            owner.append(part)
     own, total = link.find(INERTIAL), link.find("inertial")
     if own is None and not any(map(_has_mass, apart.values())):
         return
     if total is not None:
-        link.parts.remove(total)
+        link.remove(total)
     if own is None:
-        link.parts.append(_none())
+        link.append(_none())
     else:
         own.name = "inertial"
 
 
-def _has_mass(link: Branch) -> bool:
+def _has_mass(link: Xml) -> bool:
     inertial = link.find("inertial")
     mass = inertial.find("mass") if inertial is not None else None
-    return mass is not None and number(mass.text) != 0
+    return mass is not None and number(mass.content) != 0
 
 
-def _place_in(part: Branch, pose: Branch | None, link: Branch, owner: Branch) -> None:
+def _place_in(part: Xml, pose: Xml | None, link: Xml, owner: Xml) -> None:
     """Say where a part is in its own link, which has a pose in the one that it was in."""
     place = owner.find("pose")
     assert place is not None
@@ -221,15 +223,15 @@ def _place_in(part: Branch, pose: Branch | None, link: Branch, owner: Branch) ->
     if (pose is not None and pose.attributes.get("relative_to")) or np.array_equal(offset, np.eye(4)):
         return
     here = inverse(offset) @ (_matrix(pose) if pose is not None else np.eye(4))
-    made = Branch("pose", numbers((*here[:3, 3], *to_rpy(here[:3, :3]))))
+    made = Xml("pose", numbers((*here[:3, 3], *to_rpy(here[:3, :3]))))
     if pose is not None:
         part.put(made)
         made.origin = pose.origin
     else:
-        part.parts.insert(0, made)
+        part.insert(0, made)
 
 
-def _matrix(pose: Branch) -> Array:
+def _matrix(pose: Xml) -> Array:
     return np.eye(4) if pose.origin is None else written_pose(pose.origin)
 
 

@@ -10,35 +10,36 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.marks import EMPTY, INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
-from sdfcheck.convert.writer import Node, copied, declare, undeclared_prefixes
+from sdfcheck.convert.writer import declare, undeclared_prefixes
 from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 from sdfcheck.source.document import Node as Written
 
 # Comments go where what they speak of goes.
 
 
-def carry_comments(context: Context, node: Node, element: Element) -> None:
+def carry_comments(context: Context, node: Xml, element: Element) -> None:
     """Write the comments right before an element at the end of a node."""
     before = reversed(element.before)
     found = list(takewhile(lambda each: isinstance(each, Comment), before))
-    node.children.extend(_taken(context, reversed(found)))
+    node.extend(*_taken(context, reversed(found)))
 
 
-def carry_inside(context: Context, node: Node, element: Element) -> None:
+def carry_inside(context: Context, node: Xml, element: Element) -> None:
     """Write what comments an element has that are not written yet at the start of a node."""
-    node.children[:0] = _taken(context, _below(element))
+    node.insert(0, *_taken(context, _below(element)))
 
 
-def carry_around(context: Context, node: Node, model: Element) -> None:
+def carry_around(context: Context, node: Xml, model: Element) -> None:
     """Write the comments of a model that are before no written element: at the start, or at the end."""
     written = ("link", "joint", "model", "include", "frame")
     last = next((child for child in reversed(list(model.children())) if child.name in written), None)
-    node.children.extend(_taken(context, last.after if last is not None else ()))
-    node.children[:0] = _taken(context, model.nodes)
+    node.extend(*_taken(context, last.after if last is not None else ()))
+    node.insert(0, *_taken(context, model.nodes))
 
 
 def around_root(element: Element, *, preceding: bool) -> list[Comment]:
@@ -72,7 +73,7 @@ _WORDS = re.compile(r"[^\s,;]+")
 _OWN = frozenset({"name", "type", "filename", "reference"})
 
 
-def follow_names(context: Context, node: Node, source: Element, scope: str) -> None:
+def follow_names(context: Context, node: Xml, source: Element, scope: str) -> None:
     """Rewrite what a copy of ``source``, which was in a nested model ``scope``, calls by name."""
     done: dict[str, str] = {}
     doubtful: dict[str, str] = {}
@@ -87,7 +88,7 @@ def follow_names(context: Context, node: Node, source: Element, scope: str) -> N
         if attribute:
             holder.attributes[attribute] = renamed
         else:
-            holder.text = renamed
+            holder.write(renamed)
     if done:
         message = f"names in {source.title} follow the parts that they name: {_list(done)}"
         context.ledger.note(LossKind.RENAMED, source, message, Severity.INFO)
@@ -96,14 +97,14 @@ def follow_names(context: Context, node: Node, source: Element, scope: str) -> N
         context.ledger.note(LossKind.RENAMED, source, message)
 
 
-def _texts(node: Node, *, is_top: bool = False) -> Iterator[tuple[Node, str, str, str]]:
-    """Node, attribute or nothing, name of the parameter, and text, of all that may hold a name."""
+def _texts(node: Xml, *, is_top: bool = False) -> Iterator[tuple[Xml, str, str, str]]:
+    """Xml, attribute or nothing, name of the parameter, and text, of all that may hold a name."""
     for attribute, text in list(node.attributes.items()):
         if not (is_top and attribute in _OWN) and not attribute.startswith("xmlns"):
             yield node, attribute, attribute if attribute not in _OWN | {"value"} else node.name, text
-    if node.text and node.text.strip():
-        yield node, "", node.name, node.text
-    for child in node.elements():
+    if node.content:
+        yield node, "", node.name, node.content
+    for child in node.children():
         yield from _texts(child)
 
 
@@ -144,7 +145,7 @@ _OF_URDF = "urdf:"
 """The prefix under which the conversion from URDF to SDFormat keeps what URDF alone has."""
 
 
-def carry_custom(context: Context, node: Node, element: Element | None, scope: str) -> None:
+def carry_custom(context: Context, node: Xml, element: Element | None, scope: str) -> None:
     """Write the custom attributes and children of an element of a nested model ``scope`` into its equal."""
     if element is None:
         return
@@ -170,7 +171,7 @@ def carry_custom(context: Context, node: Node, element: Element | None, scope: s
 
 
 def _carry_attribute(
-    context: Context, node: Node, element: Element, name: str, text: str, tags: VendorTags
+    context: Context, node: Xml, element: Element, name: str, text: str, tags: VendorTags
 ) -> None:
     if name in {MERGED, NOTHING, PACKAGES}:
         context.ledger.take(element, name)
@@ -193,7 +194,7 @@ def _carry_attribute(
         context.ledger.lose_attribute(element, name, message)
 
 
-def _give_back(context: Context, node: Node, element: Element, scope: str) -> None:
+def _give_back(context: Context, node: Xml, element: Element, scope: str) -> None:
     """Write what came from URDF, and means something there only, as it was."""
     copy = copied(element)
     for name in [name for name in copy.attributes if name.startswith("xmlns:urdf")]:
@@ -210,7 +211,7 @@ def _give_back(context: Context, node: Node, element: Element, scope: str) -> No
         context.blob(node.attributes["name"] if node.name in {"link", "joint"} else "").append(copy)
 
 
-def _give_back_attribute(context: Context, node: Node, element: Element, name: str, text: str) -> None:
+def _give_back_attribute(context: Context, node: Xml, element: Element, name: str, text: str) -> None:
     """Write an attribute that came from URDF as it was, where nothing is written under its name."""
     own = name.removeprefix(_OF_URDF)
     if node.attributes.setdefault(own, text) == text and name not in {JOINT, LINK, PARENT}:
@@ -220,7 +221,7 @@ def _give_back_attribute(context: Context, node: Node, element: Element, name: s
     context.ledger.lose_attribute(element, name, message)
 
 
-def carry_parts(context: Context, node: Node, element: Element, scope: str, *parts: str) -> None:
+def carry_parts(context: Context, node: Xml, element: Element, scope: str, *parts: str) -> None:
     """The same for an element and parts of it that are written: ``pose=origin`` where URDF calls them otherwise."""
     carry_custom(context, node, element, scope)
     for part in parts:

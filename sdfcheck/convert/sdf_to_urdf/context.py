@@ -9,11 +9,11 @@ from pathlib import Path
 from sdfcheck.convert.ledger import Ledger
 from sdfcheck.convert.sdf_to_urdf.options import Options
 from sdfcheck.convert.sdf_to_urdf.plan import Arrangement, Layout, Naming
-from sdfcheck.convert.writer import Node
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import Poses
+from sdfcheck.source.altered import Xml
 
 
 @dataclass(slots=True)
@@ -39,14 +39,14 @@ class Context:
     folder: Path
     """Where the result is going to be."""
     ledger: Ledger
-    root: Node
+    root: Xml
     between: set[str] = field(default_factory=set)
     """Links of the URDF that are no more than a place between two joints, with a mass that is given to them."""
     heavier: set[str] = field(default_factory=set)
     """Source links whose mass is written as one that libsdformat takes for a mass."""
     begins_in_world: bool = False
     """Is the URDF's root a link for the world?"""
-    blobs: dict[str, Node] = field(default_factory=dict)
+    blobs: dict[str, Xml] = field(default_factory=dict)
     """The ``gazebo`` elements by what they refer to, written last."""
     namespaces: dict[str, str] = field(default_factory=dict)
     """Prefix → what it is at the root of the result."""
@@ -60,7 +60,7 @@ class Context:
     """Source joints that follow another, which URDF cannot say."""
     natives: frozenset[str] = frozenset()
     """Shapes that only Drake has, and that the description is written for."""
-    actuators: dict[str, list[Node]] = field(default_factory=dict)
+    actuators: dict[str, list[Xml]] = field(default_factory=dict)
     """Joint of the URDF → what vendors say of its actuator."""
     drake_frames: dict[str, str] = field(default_factory=dict)
     """Source link or frame → the frame that is written for Drake."""
@@ -70,8 +70,8 @@ class Context:
     def link_name(self, name: str) -> str:
         return self.links.get(name, name)
 
-    def blob(self, reference: str = "") -> Node:
+    def blob(self, reference: str = "") -> Xml:
         """The ``gazebo`` element for a link or joint, or for the whole robot."""
         if reference not in self.blobs:
-            self.blobs[reference] = Node("gazebo", reference=reference) if reference else Node("gazebo")
+            self.blobs[reference] = Xml("gazebo", reference=reference) if reference else Xml("gazebo")
         return self.blobs[reference]

@@ -8,14 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Correspondence, Counterpart
 from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.ledger import TEXT, Ledger, Words
 from sdfcheck.convert.loss import LossKind, NotConvertible, refusal
+from sdfcheck.convert.migrate.migrate import written_out
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
+from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
 from sdfcheck.convert.rewrite.separated import is_marked, separated
-from sdfcheck.convert.rewrite.written_out import WrittenOut, needs_writing_out, written_out
 from sdfcheck.convert.sdf_to_urdf.carried import (
     around_root,
     carry_around,
@@ -41,8 +43,7 @@ from sdfcheck.convert.sdf_to_urdf.plan import WORLD, arrange, choose, is_same, l
 from sdfcheck.convert.sdf_to_urdf.shapes import DRAKE_SHAPES, HELD
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import write_actuators
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.convert.writer import Node, render, undeclared_prefixes, with_line_ends
+from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import MergedFrame, Model
@@ -50,7 +51,9 @@ from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.motion.rotations import inverse
+from sdfcheck.robot.parts.joint import ENDLESS
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 
@@ -236,22 +239,29 @@ def convert(
         NotConvertible: URDF cannot say it, or it cannot be worked out.
     """
     options, folder = options or Options(), folder or document.path.parent
-    source = document
+    source, brought = document, list[Element]()
     if needs_writing_out(document):
-        document, _ = written_out(document)
+        document, expansion = written_out(document)
+        brought = expansion.expanded
     if is_marked(document):
         # Marks that somebody has changed since may say what URDF cannot: then the document counts as it is.
         with suppress(NotConvertible):
-            done = _converted(source, separated(document), options, folder, verified=verified)
+            done = _converted(source, separated(document), brought, options, folder, verified=verified)
             if done.verification is None or done.verification.is_equal:
                 return done
-    return _converted(source, document, options, folder, verified=verified)
+    return _converted(source, document, brought, options, folder, verified=verified)
 
 
 def _converted(
-    source: Document, document: Document, options: Options, folder: Path, *, verified: bool
+    source: Document,
+    document: Document,
+    brought: list[Element],
+    options: Options,
+    folder: Path,
+    *,
+    verified: bool,
 ) -> Conversion:
-    """Convert a document, as which the source is read."""
+    """Convert a document, as which the source is read; the includes that ``brought`` it are written out there."""
     scope = choose(document, options.model)
     try:
         context = _prepare(scope, options, folder)
@@ -271,7 +281,7 @@ def _converted(
     contents = (of_model(scope), of_urdf(root_of(written).models[0]))
     copies = context.ledger.copies
     comparison = Comparison(_expected(context), result, _correspondence(context), contents, copies=copies)
-    for include in document.expanded if isinstance(document, WrittenOut) else ():
+    for include in brought:
         context.ledger.note(
             LossKind.EXPANDED_INCLUDE, include, f"{include_title(include)} is written out", Severity.INFO
         )
@@ -304,7 +314,7 @@ def _prepare(scope: Model, options: Options, folder: Path) -> Context:
     naming, links, joints, places = named(meant, robot.frames, sorted(couplings))
     world = inverse(poses.in_scope(scope))
     layout = lay_out(meant, made, world, keep=options.keep_link_frames, naming=naming)
-    root = Node("robot", name=scope.name)
+    root = Xml("robot", name=scope.name)
     return Context(
         scope,
         poses,
@@ -341,7 +351,7 @@ def _write(context: Context) -> None:
     add_frames(context)
     brought = enter_models(context)
     write_actuators(context)
-    context.root.children.extend(context.blobs.values())
+    context.root.extend(*context.blobs.values())
     close(context, brought)
 
 
@@ -487,7 +497,7 @@ def _correspondence(context: Context) -> Correspondence:
         links=links,
         joints=dict(context.joints),
         parts=context.parts,
-        unlimited=min(context.options.unlimited, 1e15),
+        unlimited=min(context.options.unlimited, ENDLESS),
         dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
         dropped_geometries=frozenset(kinds - HELD - context.natives),
         changed_bodies=frozenset(context.heavier),

@@ -13,7 +13,6 @@ from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, f
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.plan import WORLD
 from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text, shortened
-from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import MergedFrame
@@ -21,6 +20,7 @@ from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Joint
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.values import reference_of
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
 
 # ``gazebo`` elements: what rides along for libsdformat, unread by others.
@@ -116,8 +116,8 @@ def _keep(
         if written is not None:
             place = copy.find("pose")
             if place is None:
-                place = Node("pose")
-                copy.children.insert(0, place)
+                place = Xml("pose")
+                copy.insert(0, place)
             place.say(written)
         follow_names(context, copy, child, scope)
         holder.append(copy)
@@ -180,25 +180,24 @@ def keep_joint(context: Context, joint: Joint, *, in_parent: bool = False) -> No
     parent, child = context.link_name(joint.parent), context.link_name(joint.child)
     pose = pose_text(context.layout.within(joint.parent if in_parent else joint.child, joint.pose))
     if in_parent:
-        place = [Node("pose", pose, relative_to="__model__" if parent == "world" else parent)]
+        place = [Xml("pose", pose, relative_to="__model__" if parent == "world" else parent)]
     else:
-        place = [Node("pose", pose)] if pose != "0 0 0 0 0 0" else []
-    copy.children[:0] = [
-        _with_custom(n, joint.element) for n in (*place, Node("parent", parent), Node("child", child))
-    ]
+        place = [Xml("pose", pose)] if pose != "0 0 0 0 0 0" else []
+    ends = (Xml("parent", parent), Xml("child", child))
+    copy.insert(0, *(_with_custom(node, joint.element) for node in (*place, *ends)))
     for number, axis in enumerate(joint.axes):
         node = copy.find("axis" if number == 0 else "axis2")
         if node is not None:
             node.drop(_DIRECTION)
             written = joint.element.find(node.name)
-            xyz = Node("xyz", shortened(axis.direction))
-            node.children.insert(0, xyz if written is None else _with_custom(xyz, written))
+            xyz = Xml("xyz", shortened(axis.direction))
+            node.insert(0, xyz if written is None else _with_custom(xyz, written))
     context.blob().append(copy)
     context.kept.add(joint.name)
     context.ledger.take_whole(joint.element)
 
 
-def _with_custom(node: Node, holder: Element) -> Node:
+def _with_custom(node: Xml, holder: Element) -> Xml:
     """A new node with the custom attributes of what it takes the place of in ``holder``."""
     old = holder.find(node.name)
     for name, text in () if old is None else old.attributes.items():

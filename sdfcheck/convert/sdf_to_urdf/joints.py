@@ -16,12 +16,14 @@ from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.options import Unsupported
 from sdfcheck.convert.sdf_to_urdf.plan import Edge
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
-from sdfcheck.convert.writer import Node, number
+from sdfcheck.convert.writer import number
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import SMALL
 from sdfcheck.robot.motion.mechanism import Axis, Joint
 from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.parts.joint import ENDLESS
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 
 # Limits, dynamics and mimics of joints.
@@ -45,7 +47,7 @@ def enter_axis(context: Context, joint: Joint, which: int) -> None:
 
 
 def _report_useless(context: Context, joint: Joint, limit: Element) -> None:
-    given = [name for name in ("lower", "upper") if abs(_number(limit, name)) < _ENDLESS]
+    given = [name for name in ("lower", "upper") if abs(_number(limit, name)) < ENDLESS]
     if given and joint.element.attributes.get("type", "").strip() == "continuous":
         message = (
             f"the {' and '.join(given)} limit of {joint.element.title} is left out: it turns without end"
@@ -53,15 +55,12 @@ def _report_useless(context: Context, joint: Joint, limit: Element) -> None:
         context.ledger.note(LossKind.CHANGED_LIMIT, limit, message)
 
 
-_ENDLESS = 1e15
-
-
 def _number(limit: Element, name: str) -> float:
     value = limit.number(name)
     return math.inf if value is None else value.number
 
 
-def add_limit(context: Context, node: Node, joint: Joint, axis: Axis) -> None:
+def add_limit(context: Context, node: Xml, joint: Joint, axis: Axis) -> None:
     """Write the limits of an axis."""
     kind = node.attributes["type"]
     unlimited = context.options.unlimited
@@ -92,12 +91,12 @@ def _report_unlimited(context: Context, joint: Joint, axis: Axis) -> None:
         )
 
 
-def add_dynamics(node: Node, axis: Axis) -> None:
+def add_dynamics(node: Xml, axis: Axis) -> None:
     if axis.damping or axis.friction:
         node.add("dynamics", damping=number(axis.damping), friction=number(axis.friction))
 
 
-def add_mimic(context: Context, node: Node, joint: Joint, axis: Axis) -> None:
+def add_mimic(context: Context, node: Xml, joint: Joint, axis: Axis) -> None:
     """Write how a joint follows another; the reference goes into the offset."""
     mimic = axis.mimic
     written = next(
@@ -181,7 +180,7 @@ def add_fixed(context: Context, name: str, parent: str, child: str, pose: Array,
 
 
 def _connect(
-    node: Node, parent: str, child: str, pose: Array | None, authors: tuple[Element | None, ...] = ()
+    node: Xml, parent: str, child: str, pose: Array | None, authors: tuple[Element | None, ...] = ()
 ) -> None:
     if pose is not None:
         add_origin(node, pose, *authors)
@@ -197,7 +196,7 @@ def _start(context: Context, edge: Edge) -> tuple[Array, tuple[Element | None, .
     return context.layout.within(edge.parent, edge.joint.pose), authors
 
 
-def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     name = context.joints[joint.name]
     node = context.root.add("joint", name=name, type=joint.kind)
     _connect(node, parent, child, *_start(context, edge))
@@ -209,7 +208,7 @@ def _add_plain(context: Context, edge: Edge, joint: Joint, parent: str, child: s
     return node
 
 
-def _add_planar(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_planar(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     """A ``drake:joint`` of SDFormat is a plain joint of URDF, which has planar ones."""
     node = context.root.add("joint", name=context.joints[joint.name], type="planar")
     _connect(node, parent, child, *_start(context, edge))
@@ -225,7 +224,7 @@ def _add_planar(context: Context, edge: Edge, joint: Joint, parent: str, child: 
     return node
 
 
-def _add_axis(context: Context, node: Node, joint: Joint, axis: Axis, edge: Edge) -> None:
+def _add_axis(context: Context, node: Xml, joint: Joint, axis: Axis, edge: Edge) -> None:
     direction = -axis.direction if edge.is_reversed else axis.direction
     written = node.add("axis", xyz=shortened(direction))
     add_limit(context, node, joint, axis)
@@ -254,7 +253,7 @@ def _enter_fixed(context: Context, joint: Joint, name: str) -> None:
         context.blob(name).add("preserveFixedJoint", "true")
 
 
-def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_two_axes(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     """Two revolute joints with a small link between them; their motion is exact, also in reverse."""
     name = context.joints[joint.name]
     names = (name, context.naming.unique(f"{name}_axis2"))
@@ -278,7 +277,7 @@ def _turning(axis: Axis) -> str:
     return "continuous" if math.isinf(axis.lower) and math.isinf(axis.upper) else "revolute"
 
 
-def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_screw(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     """A turning joint, and a sliding one that follows it."""
     name = context.joints[joint.name]
     travel, between = context.naming.unique(f"{name}_travel"), _add_between(context, name)
@@ -334,7 +333,7 @@ def _report_split(context: Context, joint: Joint, by: str, between: str) -> None
     context.ledger.note(LossKind.APPROXIMATED_JOINT, joint.element, message)
 
 
-def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_unsupported(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     """A joint that URDF cannot express, by the user's choice."""
     policy = context.options.ball
     what = f"URDF has no {joint.kind} joint"
@@ -369,7 +368,7 @@ def _is_for_drake(context: Context, edge: Edge, joint: Joint) -> bool:
     return joint.kind in {"ball", "curvilinear", "screw"}
 
 
-def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Node:
+def _add_for_drake(context: Context, edge: Edge, joint: Joint, parent: str, child: str) -> Xml:
     """Drake makes nothing of a floating joint, and this in its place."""
     node = context.root.add("drake:joint", name=context.joints[joint.name], type=joint.kind)
     _connect(node, parent, child, *_start(context, edge))

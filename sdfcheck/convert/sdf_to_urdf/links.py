@@ -21,7 +21,7 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
 from sdfcheck.convert.sdf_to_urdf.poses import add_origin
 from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, merged_frame
-from sdfcheck.convert.writer import Node, copied, number, numbers, settled
+from sdfcheck.convert.writer import number, numbers, settled
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
@@ -30,6 +30,7 @@ from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, transform
 from sdfcheck.robot.parts.link import Inertial
 from sdfcheck.robot.parts.link import Link as LinkPart
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
 
 # Colors: the one part of a material that URDF has.
@@ -38,7 +39,7 @@ from sdfcheck.source.document import Element
 _TEXTURE = "drake:diffuse_map"
 
 
-def add_color(context: Context, node: Node, visual: Element, scope: str) -> None:
+def add_color(context: Context, node: Xml, visual: Element, scope: str) -> None:
     """Let a visual have the material of its diffuse color, or else of its ambient one."""
     material = visual.find("material")
     if material is None:
@@ -132,7 +133,7 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
                 context.ledger.take_whole(one)
         return True
     blob = context.blob(context.links[link.name]).add(role)
-    blob.children.extend(copied(extra) for extra in each[0])
+    blob.extend(*map(copied, each[0]))
     for extra in (extra for extras in each for extra in extras):
         context.ledger.copy(extra)
     names = ", ".join(f"`{extra.name}`" for extra in each[0])
@@ -195,7 +196,7 @@ def add_link(context: Context, name: str) -> None:
     carry_inside(context, node, link.element)
 
 
-def _add_inertial(context: Context, node: Node, link: Link) -> None:
+def _add_inertial(context: Context, node: Xml, link: Link) -> None:
     inertial = _inertial(context, link)
     if NOTHING in inertial.element.attributes:
         context.ledger.take_whole(inertial.element)
@@ -233,7 +234,7 @@ def _inertial(context: Context, link: Link) -> Inertial:
     return part.inertial
 
 
-def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial) -> None:
+def _write_inertial(context: Context, node: Xml, link: Link, inertial: Inertial) -> None:
     """As its author wrote it, in the frame in which it was written."""
     tensor = inertial.tensor._asdict()
     mass = float(inertial.mass)
@@ -255,7 +256,7 @@ def _write_inertial(context: Context, node: Node, link: Link, inertial: Inertial
         context.ledger.note(LossKind.CHANGED_DEFAULT, inertial.element, message, Severity.INFO)
 
 
-def _write_body(context: Context, node: Node, link: Link, body: MassProperties) -> None:
+def _write_body(context: Context, node: Xml, link: Link, body: MassProperties) -> None:
     places = {"x": 0, "y": 1, "z": 2}
     tensor = {name: float(body.moments[places[name[1]], places[name[2]]]) for name in _COMPONENTS}
     pose = link.pose @ transform(np.eye(3), body.center)
@@ -263,7 +264,7 @@ def _write_body(context: Context, node: Node, link: Link, body: MassProperties) 
 
 
 def _write(
-    context: Context, node: Node, link: Link, pose: Array, mass: float, tensor: dict[str, float]
+    context: Context, node: Xml, link: Link, pose: Array, mass: float, tensor: dict[str, float]
 ) -> None:
     inertial, source = node.add("inertial"), link.element.find("inertial")
     if source is not None:
@@ -277,7 +278,7 @@ def _write(
         carry_parts(context, inertial, source, scope, "pose=origin", "mass", "inertia")
 
 
-def _add_parts(context: Context, node: Node, link: Link, role: str) -> None:
+def _add_parts(context: Context, node: Xml, link: Link, role: str) -> None:
     shapes: dict[Element, list[Geometry]] = {}
     for geometry in link.geometries:
         if geometry.role == role:
@@ -328,7 +329,7 @@ _FRICTIONS = {"mu": "drake:mu_static", "mu2": "drake:mu_dynamic"}
 _DEFAULT = "1"
 
 
-def carry_friction(context: Context, collision: Node, element: Element) -> None:
+def carry_friction(context: Context, collision: Xml, element: Element) -> None:
     """Write the friction of a collision for Drake, where the description is written for it."""
     at: Element | None = element
     for name in ("surface", "friction", "ode"):

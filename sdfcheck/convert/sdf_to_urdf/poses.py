@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from sdfcheck.convert.writer import Node, numbers
+from sdfcheck.convert.writer import numbers
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, to_rpy
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 
 _ROUNDING = 1e-14
@@ -24,7 +25,7 @@ def _shorter(value: float) -> float:
     return float(short) if len(short) <= _SHORT else value
 
 
-def add_origin(node: Node, pose: Array, *authors: Element | None) -> None:
+def add_origin(node: Xml, pose: Array, *authors: Element | None) -> None:
     """Write a pose, in the words of an author who wrote the same; that of the parent itself is not written."""
     found = (texts for element in authors if (texts := _in_words(element, pose)) is not None)
     position, angles = next(found, None) or (shortened(pose[:3, 3]), shortened(to_rpy(pose[:3, :3])))

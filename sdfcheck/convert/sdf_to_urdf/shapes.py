@@ -12,10 +12,11 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.carried import carry_custom
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
-from sdfcheck.convert.writer import Node, number, numbers
+from sdfcheck.convert.writer import number, numbers
 from sdfcheck.robot.motion.mechanism import Geometry
 from sdfcheck.robot.motion.rotations import transform, z_towards
 from sdfcheck.robot.parts.shape import shape_in
+from sdfcheck.source.altered import Xml
 
 if TYPE_CHECKING:
     from sdfcheck.convert.sdf_to_urdf.context import Context
@@ -73,7 +74,7 @@ def merged_frame(written: list[Geometry]) -> tuple[str, str]:
     return own.name, "a cylinder and two spheres" if len(written) > 1 else f"a {written[0].kind}"
 
 
-def add_shape(context: Context, node: Node, geometry: Geometry, scope: str) -> None:
+def add_shape(context: Context, node: Xml, geometry: Geometry, scope: str) -> None:
     """Write the geometry of a visual or collision."""
     element = geometry.element.find("geometry")
     shape = shape_in(element) if element is not None else None

@@ -10,10 +10,10 @@ from sdfcheck.convert.sdf_to_urdf.plan import is_same
 from sdfcheck.convert.sdf_to_urdf.poses import shortened
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
-from sdfcheck.convert.writer import Node, copied
 from sdfcheck.formats.vendor.definitions import Elsewhere, Tag
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
@@ -32,7 +32,7 @@ class VendorTags:
         self.scope = scope
         self.spellings = spellings(Kind.SDF, Kind.URDF, self)
 
-    def put(self, element: Element, node: Node) -> bool:
+    def put(self, element: Element, node: Xml) -> bool:
         """Write a tag into the counterpart of its parent; False if no table has it."""
         made = self.spellings.get(element.name.partition(":")[0])
         tag = made.target.tags.get(element.name) if made is not None else None
@@ -59,7 +59,7 @@ class VendorTags:
         tag = made.target.tags.get(attribute) if made is not None else None
         return tag is not None and any(place.carrier == "attribute" for place in tag.places)
 
-    def _elsewhere(self, element: Element, node: Node, made: Spelling, absent: Elsewhere) -> bool:
+    def _elsewhere(self, element: Element, node: Xml, made: Spelling, absent: Elsewhere) -> bool:
         """What URDF says without a tag, or cannot say."""
         if absent.use == "joint/mimic" and node.name == "joint":
             self._mimic(element, node)
@@ -69,13 +69,13 @@ class VendorTags:
             self._keep(element, node, made)
         return True
 
-    def _rename(self, written: Node, tag: Tag) -> None:
+    def _rename(self, written: Xml, tag: Tag) -> None:
         """Names of tags of nested models get those of the models in front, as links do."""
         slot = tag.attributes.get("name")
         if self.scope and slot is not None and not slot.references and "name" in written.attributes:
             written.attributes["name"] = f"{self.scope}::{written.attributes['name']}".replace("::", "__")
 
-    def _keep(self, element: Element, node: Node, made: Spelling) -> None:
+    def _keep(self, element: Element, node: Xml, made: Spelling) -> None:
         """Keep what the vendor has in SDFormat only where the other way round looks for it."""
         reference = node.attributes.get("name", "") if node.name in {"link", "joint"} else ""
         self.context.blob(reference).append(copied(element))
@@ -129,7 +129,7 @@ class VendorTags:
 
     # Joints
 
-    def _drive(self, element: Element, joint: Node, made: Spelling) -> None:
+    def _drive(self, element: Element, joint: Xml, made: Spelling) -> None:
         """A tag in the joint is in its actuator in URDF."""
         if joint.attributes.get("type") in _DRIVEN:
             self.context.actuators.setdefault(joint.attributes["name"], []).append(made.element(element))
@@ -137,7 +137,7 @@ class VendorTags:
         message = f"`{element.name}` is left out: what is written for the joint has no actuator"
         self.context.ledger.lose(LossKind.DROPPED_ELEMENT, element, message)
 
-    def _mimic(self, element: Element, joint: Node) -> None:
+    def _mimic(self, element: Element, joint: Xml) -> None:
         """URDF's own, which may be there for another reason."""
         if joint.find("mimic") is None:
             values = {name: element.attributes.get(name, "") for name in ("multiplier", "offset")}
@@ -156,18 +156,18 @@ def write_actuators(context: Context) -> None:
             context.actuators.setdefault(context.joints[joint.name], [])
     for name, tags in context.actuators.items():
         actuator = _actuator_of(context, name) or _new_actuator(context, name)
-        actuator.children += [tag for tag in tags if actuator.find(tag.name) is None]
+        actuator.extend(*[tag for tag in tags if actuator.find(tag.name) is None])
 
 
-def _actuator_of(context: Context, joint: str) -> Node | None:
-    for node in context.root.elements("transmission"):
+def _actuator_of(context: Context, joint: str) -> Xml | None:
+    for node in context.root.children("transmission"):
         driven = node.find("joint")
         if driven is not None and driven.attributes.get("name") == joint:
             return node.find(_ACTUATOR)
     return None
 
 
-def _new_actuator(context: Context, joint: str) -> Node:
+def _new_actuator(context: Context, joint: str) -> Xml:
     transmission = context.root.add("transmission", None, name=f"{joint}_transmission")
     transmission.add("type", _SIMPLE)
     transmission.add("joint", None, name=joint).add("hardwareInterface", _INTERFACE)

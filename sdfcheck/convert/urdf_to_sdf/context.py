@@ -11,7 +11,7 @@ from sdfcheck.convert.marks import BLOCK, EMPTY, LINK
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
-from sdfcheck.convert.writer import Node, copied, declare, numbers, spaced, undeclared_prefixes
+from sdfcheck.convert.writer import declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
@@ -19,6 +19,7 @@ from sdfcheck.formats.urdf.schema import Setting
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 
 # The elements of URDF that have a counterpart in SDFormat, and the attributes in which they say something.
@@ -67,14 +68,14 @@ class Context:
     options: Options
     plan: Plan
     ledger: Ledger = field(default_factory=lambda: Ledger(WORDS, "SDFormat"))
-    links: dict[str, Node] = field(default_factory=dict)
+    links: dict[str, Xml] = field(default_factory=dict)
     """The element that was written for each link (of the source) that survives."""
-    joints: dict[str, Node] = field(default_factory=dict)
+    joints: dict[str, Xml] = field(default_factory=dict)
     came_from: dict[int, str] = field(default_factory=dict)
     """The link (of the source) that a written shape came from, by the identity of its node."""
-    shapes: dict[Element, tuple[Node, Node]] = field(default_factory=dict)
+    shapes: dict[Element, tuple[Xml, Xml]] = field(default_factory=dict)
     """The visuals and collisions of the source → the link and the element that were written for each."""
-    copies: list[tuple[Element, Node, Node]] = field(default_factory=list)
+    copies: list[tuple[Element, Xml, Xml]] = field(default_factory=list)
     """The elements of blocks that were copied, their copies, and what holds these."""
     own_names: dict[str, str] = field(default_factory=dict)
     """Names of links, joints, frames and models of blocks, and those that they get."""
@@ -112,7 +113,7 @@ class Context:
         """An element is not in the result, nor is what is in it."""
         self.ledger.lose(kind, element, message, severity)
 
-    def carry(self, element: Element | None, node: Node, *attributes: str) -> None:
+    def carry(self, element: Element | None, node: Xml, *attributes: str) -> None:
         """An element is said by a node, in these attributes (none: all); its custom data goes there as well."""
         if element is None:
             return
@@ -122,12 +123,12 @@ class Context:
             if child.is_custom and self.ledger.is_free(child):
                 self.keep(child, node)
 
-    def mark(self, node: Node, link: str) -> None:
+    def mark(self, node: Xml, link: str) -> None:
         """Say on a node which link of the source it is of, where that became part of another."""
         if self.options.has_frames and self.plan.is_merged(link):
             node.attributes[LINK] = self.plan.names.links[link]
 
-    def carry_attributes(self, element: Element, node: Node) -> None:
+    def carry_attributes(self, element: Element, node: Xml) -> None:
         """Write the attributes of an element that are not of URDF, under the prefix that they have or ours."""
         known = WORDS[element.name]
         for name, text in element.attributes.items():
@@ -156,12 +157,12 @@ class Context:
         self.reported.add(key)
         return True
 
-    def carry_comments(self, element: Element, node: Node) -> None:
+    def carry_comments(self, element: Element, node: Xml) -> None:
         """Write the comments in an element, but those in what is kept as it is."""
         for part in element.nodes:
             if isinstance(part, Comment):
                 if self.ledger.take_comment(part):
-                    node.children.append(part)
+                    node.extend(part)
             elif isinstance(part, Element) and part.name in WORDS:
                 self.carry_comments(part, node)
 
@@ -193,14 +194,14 @@ class Context:
         self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, message)
         return None
 
-    def copied(self, element: Element) -> Node:
+    def copied(self, element: Element) -> Xml:
         """A copy of an element, with the prefixes declared that are others at the root of the result."""
         made = copied(element)
         for prefix in undeclared_prefixes(made):
             declare(made, element, prefix, self.namespaces)
         return made
 
-    def keep(self, element: Element, node: Node, *, of_block: bool = False) -> None:
+    def keep(self, element: Element, node: Xml, *, of_block: bool = False) -> None:
         """Carry something over that the target has no word for, under a prefix of its own."""
         if element.name.startswith("xacro:"):
             text = f"{element.title} is left out: nobody has expanded it"
@@ -234,7 +235,7 @@ class Context:
                 part.attributes[EMPTY] = " ".join(empty)
         node.append(made)
 
-    def name_anew(self, element: Element, made: Node, node: Node) -> None:
+    def name_anew(self, element: Element, made: Xml, node: Xml) -> None:
         """Give custom data at the model a name that nothing there has."""
         if node.name == "model" and (own := made.attributes.get("name")) is not None:
             name = made.attributes["name"] = self.plan.names.free(own)

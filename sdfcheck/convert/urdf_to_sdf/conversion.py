@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sdfcheck.convert.comparison import Correspondence, Counterpart
 from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.contents.of_urdf import of_urdf
 from sdfcheck.convert.empty_shapes import without_empty_shapes
@@ -20,8 +21,7 @@ from sdfcheck.convert.urdf_to_sdf.links import Links, Materials, keep_frictions_
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import WORLD, Plan, free_joints, legal, plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
-from sdfcheck.convert.verify import Correspondence, Counterpart
-from sdfcheck.convert.writer import Node, Words, render, undeclared_prefixes, with_line_ends
+from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -29,7 +29,8 @@ from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
 from sdfcheck.robot.motion.poses import PoseError, origin_of
 from sdfcheck.robot.parts.control import Transmission
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Comment, Document, Element
+from sdfcheck.source.altered import Xml
+from sdfcheck.source.document import Comment, Document, Element, Node
 from sdfcheck.source.sniff import Kind
 
 # The result, read by SDFormat's own parser, and what it is to be compared with.
@@ -38,7 +39,7 @@ from sdfcheck.source.sniff import Kind
 _BRINGING = frozenset({"include", "model"})
 
 
-def read_back(written: Document, context: Context, sdf: Node) -> Mechanism:
+def read_back(written: Document, context: Context, sdf: Xml) -> Mechanism:
     """The robot of what was written, without what the source has for Gazebo only."""
     own = written
     if (rest := _without_brought(sdf)) is not None:
@@ -49,24 +50,22 @@ def read_back(written: Document, context: Context, sdf: Node) -> Mechanism:
     return robot
 
 
-def _without_brought(sdf: Node) -> Node | None:
+def _without_brought(sdf: Xml) -> Xml | None:
     """The result without models that ``<gazebo>`` blocks bring, and joints to them; None if there are none."""
-    model = next(sdf.elements())
-    if not any(child.name in _BRINGING for child in model.elements()):
+    model = next(sdf.children())
+    if not any(child.name in _BRINGING for child in model.children()):
         return None
-    kept, outer = Node(model.name, None, **model.attributes), Node(sdf.name, None, **sdf.attributes)
-    kept.children = [
-        child
-        for child in model.children
-        if not (isinstance(child, Node) and (child.name in _BRINGING or _reaches_into(child)))
-    ]
+    kept, outer = Xml(model.name, None, **model.attributes), Xml(sdf.name, None, **sdf.attributes)
+    kept.extend(
+        *(child for child in model.children() if not (child.name in _BRINGING or _reaches_into(child)))
+    )
     outer.append(kept)
     return outer
 
 
-def _reaches_into(joint: Node) -> bool:
+def _reaches_into(joint: Xml) -> bool:
     ends = (joint.find(name) for name in ("parent", "child")) if joint.name == "joint" else ()
-    return any(end is not None and "::" in (end.text or "") for end in ends)
+    return any(end is not None and "::" in end.content for end in ends)
 
 
 def expected(robot: Mechanism, plan: Plan, context: Context) -> Mechanism:
@@ -203,11 +202,11 @@ class _Writer:
         self.links = Links(context, self.materials)
         self.materials.uri = self.links.uri
         self.joints = Joints(context)
-        self.frames: dict[str, list[Node]] = {}
+        self.frames: dict[str, list[Xml]] = {}
         """Merged link → the frames that its joint and it leave."""
         self.carriers = {joint.child: joint for joint in reversed(list(robot.joints.values()))}
-        self.sdf = Node("sdf", None, version=str(context.options.version))
-        self.actuators: list[tuple[Element, Node | Comment | Words]] = []
+        self.sdf = Xml("sdf", None, version=str(context.options.version))
+        self.actuators: list[tuple[Element, Node]] = []
         self.model = self.sdf.add("model", None, name=legal(robot.name) if robot.name else "robot")
 
     def write(self) -> str:
@@ -225,7 +224,7 @@ class _Writer:
         for entry in self.root.nodes:
             if isinstance(entry, Comment):
                 self.context.ledger.take_comment(entry)
-                self.model.children.append(entry)
+                self.model.extend(entry)
             elif not isinstance(entry, Element):
                 continue
             elif entry.name == "gazebo":
@@ -258,7 +257,7 @@ class _Writer:
             world = plan.is_world(name)
             if world and not link.geometries and (link.body is None or link.body.mass <= 0):
                 continue
-            node = Node("link", None, name=plan.names.links[name])
+            node = Xml("link", None, name=plan.names.links[name])
             self.context.links[name] = node
             self.joints.place(self.carriers.get(name), name, node)
 
@@ -282,7 +281,7 @@ class _Writer:
             self.context.carry(entry, self.model.append(frame))
         elif entry.name == "transmission":
             self.context.keep(entry, self.model)
-            self.actuators.append((entry, self.model.children[-1]))
+            self.actuators.append((entry, self.model.nodes[-1]))
         elif entry.name != "origin":
             self.context.keep(entry, self.model)
 
@@ -307,7 +306,7 @@ class _Writer:
                 if isinstance(part, Transmission)
                 else set()
             )
-            if done and isinstance(kept, Node):
+            if done and isinstance(kept, Xml):
                 without(kept, entry, done)
 
     def _link(self, entry: Element, name: str) -> None:
@@ -362,7 +361,7 @@ class _Writer:
         elif self.context.options.has_frames:
             child = self.robot.links[joint.child].element
             self.frames[joint.child] = self.joints.leave_frame(joint, child)
-            self.model.children += self.frames[joint.child]
+            self.model.extend(*self.frames[joint.child])
         else:
             self.joints.merge(joint)
 

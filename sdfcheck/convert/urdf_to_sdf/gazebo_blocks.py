@@ -14,7 +14,7 @@ from sdfcheck.convert.marks import NONE, SCRIPTS, WAS
 from sdfcheck.convert.old_sensors import renew
 from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
-from sdfcheck.convert.writer import Node, copied, numbers
+from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.values import floats, number
 from sdfcheck.formats.urdf.schema import TRUE, Setting, all_settings, settings
 from sdfcheck.lint.diagnostic import Severity
@@ -22,6 +22,7 @@ from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.rotations import Array, from_rpy, to_rpy, transform
 from sdfcheck.robot.naming.references import NAMING
 from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 
 # Copies of what is in ``<gazebo>`` blocks, as the version that is written has it.
@@ -33,7 +34,7 @@ _SINGLE = frozenset({"light", "particle_emitter", "projector", "sensor"})
 """The parts of a link or joint that libsdformat looks up by name."""
 
 
-def copied_entry(context: Context, entry: Element, holder: Node) -> Node:
+def copied_entry(context: Context, entry: Element, holder: Xml) -> Xml:
     """The copy of an entry of a block, entered as such; ``holder`` is where it goes."""
     made = context.copied(entry)
     context.ledger.copy(entry)
@@ -45,7 +46,7 @@ def copied_entry(context: Context, entry: Element, holder: Node) -> Node:
     return made
 
 
-def _settle_names(context: Context, entry: Element, made: Node, holder: Node) -> None:
+def _settle_names(context: Context, entry: Element, made: Xml, holder: Xml) -> None:
     for node in _checked(made):
         own = node.attributes.get("name", "")
         if "::" in own:
@@ -54,7 +55,7 @@ def _settle_names(context: Context, entry: Element, made: Node, holder: Node) ->
     own = made.attributes.get("name", "")
     if made.name not in _SINGLE or not own:
         return
-    taken = {child.attributes.get("name") for child in holder.elements(made.name)}
+    taken = {child.attributes.get("name") for child in holder.children(made.name)}
     number = 1
     while made.attributes["name"] in taken:
         number += 1
@@ -63,17 +64,17 @@ def _settle_names(context: Context, entry: Element, made: Node, holder: Node) ->
         _report(context, entry, made, own)
 
 
-def _report(context: Context, entry: Element, node: Node, own: str) -> None:
+def _report(context: Context, entry: Element, node: Xml, own: str) -> None:
     message = f"{node.name} `{own}` of a <gazebo> block is named `{node.attributes['name']}`"
     context.note(entry, LossKind.RENAMED, message)
 
 
-def _checked(node: Node) -> Iterator[Node]:
+def _checked(node: Xml) -> Iterator[Xml]:
     """The elements whose names libsdformat checks: not those of plugins and custom elements, nor what is in them."""
     if node.name == "plugin" or ":" in node.name:
         return
     yield node
-    for child in node.elements():
+    for child in node.children():
         yield from _checked(child)
 
 
@@ -121,7 +122,7 @@ class FollowedNames:
             elif new != name and not plan.is_world(name):
                 yield name, (LossKind.RENAMED, f"link `{name}` is now named `{new}`")
 
-    def follow(self, entry: Element, made: Node, holder: Node) -> None:
+    def follow(self, entry: Element, made: Xml, holder: Xml) -> None:
         """Look at one element of a block, its copy, and the element that holds the copy."""
         for element, node in _pairs(entry, made):
             if element.name == "contact" and element.parent is not None and element.parent.name == "sensor":
@@ -131,42 +132,44 @@ class FollowedNames:
             elif element.name in _ENDS:
                 self._follow_scope(element, node)
 
-    def _follow_scope(self, end: Element, made: Node) -> None:
+    def _follow_scope(self, end: Element, made: Xml) -> None:
         """Rewrite the end of a joint in a model of a block that has got another name."""
         own, delimiter, rest = end.content.partition("::")
         if delimiter and own in self.context.own_names:
-            made.text = f"{self.context.own_names[own]}::{rest}"
-            self.context.note(end, LossKind.RENAMED, f"`{end.content}` is now `{made.text}`", Severity.INFO)
+            made.write(f"{self.context.own_names[own]}::{rest}")
+            self.context.note(
+                end, LossKind.RENAMED, f"`{end.content}` is now `{made.content}`", Severity.INFO
+            )
 
-    def _follow_collisions(self, contact: Element, made: Node, holder: Node) -> None:
-        for element, node in zip(contact.children("collision"), made.elements("collision"), strict=False):
-            own = node.text or ""
+    def _follow_collisions(self, contact: Element, made: Xml, holder: Xml) -> None:
+        for element, node in zip(contact.children("collision"), made.children("collision"), strict=False):
+            own = node.content
             collision = self.collisions.get(own)
             written = None if collision is None else self.context.shapes.get(collision)
             if written is None or own in {
-                part.attributes.get("name") for part in holder.elements("collision")
+                part.attributes.get("name") for part in holder.children("collision")
             }:
                 continue
             link, shape = written
             if link is holder:
-                node.text = shape.attributes["name"]
-                if node.text != own:
-                    text = f"collision `{own}`, as libsdformat calls it, is named `{node.text}`"
+                node.write(shape.attributes["name"])
+                if node.content != own:
+                    text = f"collision `{own}`, as libsdformat calls it, is named `{node.content}`"
                     self.context.note(element, LossKind.RENAMED, text, Severity.INFO)
             else:
                 text = f"{contact.parent.title if contact.parent is not None else contact.title} gets no contacts: "
                 text += f"collision `{shape.attributes['name']}` is in link `{link.attributes['name']}`"
                 self.context.note(element, LossKind.DROPPED_SENSOR, text)
 
-    def _follow_parameters(self, plugin: Element, made: Node) -> None:
+    def _follow_parameters(self, plugin: Element, made: Xml) -> None:
         for element, node in _pairs(plugin, made):
             found = self.gone.get(element.content)
             if found is None:
                 continue
             kind, what = found
             if kind is LossKind.RENAMED and NAMING.search(element.name):
-                node.text = self._renamed(element.content)
-                text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
+                node.write(self._renamed(element.content))
+                text = f"<{element.name}> of {plugin.title} names `{node.content}`: {what}"
                 self.context.note(element, kind, text, Severity.INFO)
                 continue
             in_sensor = plugin.parent is not None and plugin.parent.name == "sensor"
@@ -175,8 +178,8 @@ class FollowedNames:
                 if survivor in self.context.links:
                     self._move(plugin, made, offset)
                     self._mark(node, element)
-                    node.text = self.context.plan.names.links[survivor]
-                    text = f"<{element.name}> of {plugin.title} names `{node.text}`: {what}"
+                    node.write(self.context.plan.names.links[survivor])
+                    text = f"<{element.name}> of {plugin.title} names `{node.content}`: {what}"
                     self.context.note(element, kind, text, Severity.INFO)
                     continue
             # A plugin of a sensor names the frame that it publishes in, which is there for others.
@@ -189,7 +192,7 @@ class FollowedNames:
             text = f"<{element.name}> of {plugin.title} stays as it is, but {what}"
             self.context.note(element, kind, text, severity)
 
-    def _mark(self, node: Node, before: Element | None) -> None:
+    def _mark(self, node: Xml, before: Element | None) -> None:
         """Say on a parameter what it was."""
         if self.context.options.has_frames:
             node.attributes[WAS] = NONE if before is None or not before.content else before.content
@@ -200,7 +203,7 @@ class FollowedNames:
         is_link = name in names.links and not self.context.plan.is_merged(name)
         return names.links[name] if is_link else names.joints[name]
 
-    def _move(self, plugin: Element, made: Node, offset: Array) -> None:
+    def _move(self, plugin: Element, made: Xml, offset: Array) -> None:
         """Write where the plugin is in the link that is left, 4×4 ``offset`` being the place of its own link."""
         if np.array_equal(offset, np.eye(4)):
             return
@@ -218,7 +221,7 @@ class FollowedNames:
         rows = (tuple(map(float, place[:3, 3])), to_rpy(place[:3, :3]))
         for (name, one), row in zip(given.items(), rows, strict=True):
             self._mark(made.reach(name), one)
-            made.reach(name).text = numbers(row)
+            made.reach(name).write(numbers(row))
             if one is not None:
                 text = f"<{name}> of {plugin.title} is from the link that is left"
                 self.context.note(one, LossKind.MERGED_LINK, text, Severity.INFO)
@@ -230,10 +233,10 @@ def _three(element: Element | None) -> tuple[float, ...] | None:
     return found if found is not None and len(found) == len(_AXES) and all(map(isfinite, found)) else None
 
 
-def _pairs(element: Element, node: Node) -> Iterator[tuple[Element, Node]]:
+def _pairs(element: Element, node: Xml) -> Iterator[tuple[Element, Xml]]:
     """An element and its copy, and those in them, as long as they go together."""
     yield element, node
-    for child, made in zip(element.children(), node.elements(), strict=False):
+    for child, made in zip(element.children(), node.children(), strict=False):
         if child.name != made.name:
             return
         yield from _pairs(child, made)
@@ -253,7 +256,7 @@ class Extensions:
     def __init__(self, context: Context) -> None:
         self.context = context
 
-    def apply(self, block: Element, model: Node) -> None:
+    def apply(self, block: Element, model: Xml) -> None:
         reference = block.attributes.get("reference", "").strip()
         self.context.ledger.take(block)
         plan = self.context.plan
@@ -289,14 +292,14 @@ class Extensions:
     def _each(
         self,
         block: Element,
-        node: Node,
-        put: Callable[[Element, Node], None],
+        node: Xml,
+        put: Callable[[Element, Xml], None],
         only: Container[str] | None = None,
     ) -> None:
         for entry in block.nodes:
             if isinstance(entry, Comment):
                 if only is not OF_JOINTS and self.context.ledger.take_comment(entry):
-                    node.children.append(entry)
+                    node.extend(entry)
             elif isinstance(entry, Element) and (only is None or entry.name in only):
                 put(entry, node)
 
@@ -315,7 +318,7 @@ class Extensions:
 
     # The model
 
-    def _model_part(self, entry: Element, model: Node) -> None:
+    def _model_part(self, entry: Element, model: Xml) -> None:
         setting = all_settings().get(entry.name)
         if setting is not None and setting.about in {"link", "joint"}:
             text = f"<{entry.name}> outside a block for a {setting.about} has no effect; it is left out"
@@ -325,7 +328,7 @@ class Extensions:
         else:
             self.context.keep(entry, model, of_block=True)
 
-    def _native(self, entry: Element, model: Node) -> None:
+    def _native(self, entry: Element, model: Xml) -> None:
         """Parts that are SDFormat already; their names must differ from those of the robot."""
         joint = self.context.plan.robot.joints.get(entry.attributes.get("name", ""))
         if entry.name == "frame" and joint is not None and joint.kind in {"floating", *FOR_DRAKE}:
@@ -354,7 +357,7 @@ class Extensions:
 
     # Joints
 
-    def _joint_part(self, entry: Element, joint: Node) -> None:
+    def _joint_part(self, entry: Element, joint: Xml) -> None:
         context, name = self.context, entry.name
         if (setting := settings("joint").get(name)) is not None:
             self._joint_setting(entry, setting, joint)
@@ -371,7 +374,7 @@ class Extensions:
         else:
             context.keep(entry, joint, of_block=True)
 
-    def _axis(self, entry: Element, joint: Node) -> None:
+    def _axis(self, entry: Element, joint: Xml) -> None:
         """Limits and dynamics for Gazebo go before those of the joint; where it turns is for the joint to say."""
         context, axis = self.context, joint.find("axis")
         if axis is None:
@@ -390,7 +393,7 @@ class Extensions:
                 if setting.name in _BOUNDS and (value := number(setting.content)) is not None:
                     context.overruled.setdefault(joint.attributes["name"], {})[setting.name] = value
 
-    def _joint_setting(self, entry: Element, setting: Setting, joint: Node) -> None:
+    def _joint_setting(self, entry: Element, setting: Setting, joint: Xml) -> None:
         context, path = self.context, setting.counterparts[0]
         if path[-1] == "implicit_spring_damper" and not context.allows("joint/" + "/".join(path)):
             path = (*path[:-1], "cfm_damping")
@@ -400,7 +403,7 @@ class Extensions:
             return
         context.ledger.take(entry, TEXT, "value")
         if (text := context.translated(entry, setting)) is not None:
-            joint.reach(*path).text = text
+            joint.reach(*path).write(text)
 
 
 class _LinkPart:
@@ -411,7 +414,7 @@ class _LinkPart:
         self.reference = reference
         self.offset = offset
 
-    def put(self, entry: Element, link: Node) -> None:
+    def put(self, entry: Element, link: Xml) -> None:
         context, name = self.context, entry.name
         if (setting := settings("link").get(name)) is not None:
             self._setting(entry, setting, link)
@@ -424,34 +427,34 @@ class _LinkPart:
         else:
             context.keep(entry, link, of_block=True)
 
-    def _setting(self, entry: Element, setting: Setting, link: Node) -> None:
+    def _setting(self, entry: Element, setting: Setting, link: Xml) -> None:
         self.context.ledger.take(entry, TEXT, "value")
         if (text := self.context.translated(entry, setting)) is None:
             return
         for path in setting.counterparts:
             if path[0] == "collision":
                 for collision in self._some_parts(entry, link, "collision"):
-                    collision.reach(*path[1:]).text = text
+                    collision.reach(*path[1:]).write(text)
             else:
-                link.reach(*path).text = text
+                link.reach(*path).write(text)
 
-    def _of_shapes(self, entry: Element, link: Node) -> None:
+    def _of_shapes(self, entry: Element, link: Xml) -> None:
         """The settings of a block for all visuals or collisions."""
         for part in self._some_parts(entry, link, entry.name):
             self.context.ledger.copy(entry)
             merge(copied(entry), part)
 
-    def _some_parts(self, entry: Element, link: Node, role: str) -> list[Node]:
+    def _some_parts(self, entry: Element, link: Xml, role: str) -> list[Xml]:
         """The shapes from the link that the block names, which a setting is about; reported if there are none."""
         parts = [
-            part for part in link.elements(role) if self.context.came_from.get(id(part)) == self.reference
+            part for part in link.children(role) if self.context.came_from.get(id(part)) == self.reference
         ]
         if not parts:
             text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
         return parts
 
-    def _script(self, entry: Element, link: Node) -> None:
+    def _script(self, entry: Element, link: Xml) -> None:
         if not text_of_setting(entry):
             text = "<material> of a block is the name of a script, and this one has none; it is left out"
             self.context.lose(entry, LossKind.CHANGED_MATERIAL, text)
@@ -461,17 +464,17 @@ class _LinkPart:
         for visual in visuals:
             material = visual.reach("material")
             if (script := material.find("script")) is not None:
-                material.children.remove(script)
-            made = Node("script")
+                material.remove(script)
+            made = Xml("script")
             made.add("name", text_of_setting(entry))
             made.add("uri", SCRIPTS)
-            material.children.insert(0, made)
+            material.insert(0, made)
         if visuals and self.context.once("script"):
             name = text_of_setting(entry)
             text = f"material script `{name}` is for classic Gazebo; its successor shows the URDF's color"
             self.context.note(entry, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
 
-    def _native(self, entry: Element, link: Node) -> None:
+    def _native(self, entry: Element, link: Xml) -> None:
         made = copied_entry(self.context, entry, link)
         single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
         there = link.find(entry.name) if single else None
@@ -484,7 +487,7 @@ class _LinkPart:
             self.context.mark(made, self.reference)
         link.append(made)
 
-    def _move(self, entry: Element, made: Node) -> None:
+    def _move(self, entry: Element, made: Xml) -> None:
         """Place something in the link that its own link was merged into."""
         written = entry.find("pose")
         if written is not None and written.attributes.get("relative_to"):
@@ -498,20 +501,19 @@ class _LinkPart:
             here = transform(from_rpy(*values[3:]), values[:3])
         pose = made.find("pose")
         if pose is None:
-            pose = Node("pose")
-            made.children.insert(0, pose)
+            pose = Xml("pose")
+            made.insert(0, pose)
         pose.say(pose_of(self.offset @ here) or "0 0 0 0 0 0")
 
 
-def merge(extra: Node, into: Node) -> None:
+def merge(extra: Xml, into: Xml) -> None:
     """Write what is in one element into another: values replace, structures are joined."""
     into.attributes.update({k: v for k, v in extra.attributes.items() if k != "name"})
-    if extra.text:
-        into.text = extra.text
-    for child in extra.children:
-        if not isinstance(child, Node):
-            into.children.append(child)
-        elif (there := into.find(child.name)) is not None and child.name not in {"plugin", "sensor"}:
-            merge(child, there)
+    if extra.content:
+        into.write(extra.content)
+    for node in extra.nodes:
+        there = into.find(node.name) if isinstance(node, Xml) else None
+        if isinstance(node, Xml) and there is not None and node.name not in {"plugin", "sensor"}:
+            merge(node, there)
         else:
-            into.children.append(child)
+            into.extend(node)

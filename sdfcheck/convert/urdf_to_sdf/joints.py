@@ -11,11 +11,12 @@ from sdfcheck.convert.marks import JOINT, PARENT
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.plan import WORLD, is_for_drake
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.writer import Node, number, numbers, spaced
+from sdfcheck.convert.writer import number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mechanism import Joint
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array, inverse, transform, z_towards
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 
 # Joints that only Drake knows in URDF: those of SDFormat as such, the others as ``drake:joint``.
@@ -25,7 +26,7 @@ _READ_OF_VENDORS = frozenset({"origin", "parent", "child", "axis", "dynamics"})
 _NO_DAMPING = {"planar": "0 0 0", "curvilinear": "0"}
 
 
-def write_special_axes(joint: Joint, node: Node, context: Context) -> None:
+def write_special_axes(joint: Joint, node: Xml, context: Context) -> None:
     """The axes of a ball, universal or screw joint; a ball joint has one for its damping only."""
     damping = _damping(joint.element)
     if joint.kind == "ball":
@@ -43,7 +44,7 @@ def write_special_axes(joint: Joint, node: Node, context: Context) -> None:
         _write_pitch(joint, node, context)
 
 
-def _write_pitch(joint: Joint, node: Node, context: Context) -> None:
+def _write_pitch(joint: Joint, node: Xml, context: Context) -> None:
     """m a turn, or what older versions have: radians per m, left-handed."""
     if context.allows("joint/screw_thread_pitch"):
         pitch = joint.element.find("drake:screw_thread_pitch")
@@ -67,7 +68,7 @@ def _number(word: str) -> float:
         return math.nan
 
 
-def write_for_drake(joint: Joint, model: Node, context: Context) -> None:
+def write_for_drake(joint: Joint, model: Xml, context: Context) -> None:
     """A planar or curvilinear joint between two frames, which have the joint's axis along z."""
     plan, element = context.plan, joint.element
     names = plan.names
@@ -99,7 +100,7 @@ def write_for_drake(joint: Joint, model: Node, context: Context) -> None:
     context.note(element, LossKind.APPROXIMATED_JOINT, text, Severity.WARNING)
 
 
-def _frame(model: Node, wished: str, link: str, pose: Array, context: Context) -> str:
+def _frame(model: Xml, wished: str, link: str, pose: Array, context: Context) -> str:
     """A new frame on a link; returns its name."""
     name = context.plan.names.free(wished)
     frame = model.add("frame", None, name=name, attached_to=link)
@@ -132,7 +133,7 @@ class Joints:
     def __init__(self, context: Context) -> None:
         self.context = context
 
-    def write(self, joint: Joint, model: Node) -> None:
+    def write(self, joint: Joint, model: Xml) -> None:
         """Write the joint, unless SDFormat expresses it by having none."""
         element = joint.element
         context = self.context
@@ -170,7 +171,7 @@ class Joints:
                 context.keep(child, node)
         context.joints[joint.name] = node
 
-    def _special(self, joint: Joint, node: Node) -> None:
+    def _special(self, joint: Joint, node: Xml) -> None:
         """A joint that URDF has for Drake only, and its settings."""
         write_special_axes(joint, node, self.context)
         for name in ("axis", "dynamics", "drake:screw_thread_pitch"):
@@ -188,7 +189,7 @@ class Joints:
                 text = f"<{name}> of {joint.kind} {joint.element.title} is left out: nobody reads it there"
                 self.context.lose(part, LossKind.DROPPED_ELEMENT, text)
 
-    def place(self, joint: Joint | None, link: str, node: Node) -> None:
+    def place(self, joint: Joint | None, link: str, node: Xml) -> None:
         """Give a link its pose: in its joint's frame, else in its parent's, else in the model."""
         context = self.context
         if not context.options.has_frames:
@@ -200,14 +201,14 @@ class Joints:
             elif (pose := self._pose(joint)) is not None:
                 node.append(pose)
 
-    def _pose(self, joint: Joint) -> Node | None:
+    def _pose(self, joint: Joint) -> Xml | None:
         """Where the joint is, in what carries it, with the author's numbers where that has not changed."""
         plan = self.context.plan
         if plan.is_world(joint.parent) or joint.parent not in plan.home:
-            return Node("pose", self._text(joint, None) or "0 0 0 0 0 0", relative_to="__model__")
+            return Xml("pose", self._text(joint, None) or "0 0 0 0 0 0", relative_to="__model__")
         survivor, offset = plan.home[joint.parent]
         text = self._text(joint, offset if survivor != joint.parent else None)
-        return Node("pose", text or "0 0 0 0 0 0", relative_to=plan.names.links[survivor])
+        return Xml("pose", text or "0 0 0 0 0 0", relative_to=plan.names.links[survivor])
 
     def _text(self, joint: Joint, offset: Array | None) -> str | None:
         if offset is not None:
@@ -216,7 +217,7 @@ class Joints:
             return pose_of(origin_of(joint.element))
         return pose_text(joint.element)
 
-    def _axis(self, joint: Joint, node: Node) -> None:
+    def _axis(self, joint: Joint, node: Xml) -> None:
         axis, dynamics = joint.element.find("axis"), joint.element.find("dynamics")
         text = spaced(axis.attributes.get("xyz", "1 0 0")) if axis is not None else "1 0 0"
         turn = joint.pose[:3, :3]
@@ -242,14 +243,14 @@ class Joints:
             self.context.carry(dynamics, node.reach("dynamics"))
         self.context.carry(axis, node)
 
-    def _of_vendors(self, joint: Joint, axis: Node) -> None:
+    def _of_vendors(self, joint: Joint, axis: Xml) -> None:
         """Vendor tags of the limits."""
-        found = Node("limit")
+        found = Xml("limit")
         limit = joint.element.find("limit")
         for name in self.context.vendors.attributes(limit, found):
             self.context.ledger.take(limit, name)
-        if found.children:
-            axis.reach("limit").children += found.children
+        if found.nodes:
+            axis.reach("limit").extend(*found.nodes)
 
     def _range(self, joint: Joint) -> dict[str, str]:
         """Where the joint stops; nothing for one that does not."""
@@ -290,7 +291,7 @@ class Joints:
         self.context.note(joint.element, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
         return number(value)
 
-    def _mimic(self, joint: Joint, node: Node) -> None:
+    def _mimic(self, joint: Joint, node: Xml) -> None:
         mimic = joint.element.find("mimic")
         if mimic is None:
             return
@@ -311,7 +312,7 @@ class Joints:
         self.context.lose(mimic, LossKind.DROPPED_MIMIC, text)
         self.context.lost_mimics.add(joint.name)
 
-    def _mimic_of_drake(self, joint: Joint, node: Node) -> None:
+    def _mimic_of_drake(self, joint: Joint, node: Xml) -> None:
         """Drake has a tag of its own where SDFormat says which joint another follows, and reads no other."""
         mimic = joint.element.find("mimic")
         context = self.context
@@ -338,7 +339,7 @@ class Joints:
             ledger.take(joint.element.find(name))
         self._idle(joint.element)
 
-    def leave_frame(self, joint: Joint, link: Element) -> list[Node]:
+    def leave_frame(self, joint: Joint, link: Element) -> list[Xml]:
         """The frames that a merged joint and its child leave behind, with the custom data of both."""
         context, element = self.context, joint.element
         of_joint, of_link = frame_of(joint, context)
@@ -360,14 +361,14 @@ class Joints:
             self.context.lose(joint.element, LossKind.APPROXIMATED_JOINT, text)
 
 
-def frame_of(joint: Joint, context: Context) -> tuple[Node, Node]:
+def frame_of(joint: Joint, context: Context) -> tuple[Xml, Xml]:
     """The frames that a merged joint and its child leave behind, attached to the link that survives."""
     plan, names = context.plan, context.plan.names
     survivor, outer = plan.home[joint.parent]
     pose = outer @ inverse(plan.robot.links[joint.parent].pose) @ joint.pose
     nodes = []
     for name in (names.joints[joint.name], names.links[joint.child]):
-        node = Node("frame", None, name=name, attached_to=names.links[survivor])
+        node = Xml("frame", None, name=name, attached_to=names.links[survivor])
         if (text := pose_of(pose)) is not None:
             node.add("pose", text)
         nodes.append(node)

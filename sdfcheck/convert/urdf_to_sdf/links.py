@@ -13,12 +13,13 @@ from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quatern
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.urdf_to_sdf.plan import legal
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.writer import Node, number, numbers, settled, spaced
+from sdfcheck.convert.writer import number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment, Element
 
 # Materials: colors as they are, textures as albedo maps.
@@ -42,7 +43,7 @@ class Materials:
             if _says_something(material):
                 self.named.setdefault(material.attributes.get("name", ""), material)
 
-    def write(self, used: Element, visual: Node) -> None:
+    def write(self, used: Element, visual: Xml) -> None:
         """The material of a visual."""
         name = used.attributes.get("name", "")
         found = self.named.get(name, used) if name else used
@@ -66,8 +67,8 @@ class Materials:
             self._texture(texture, node)
         for part in dict.fromkeys((used, found)):
             self.context.carry(part, node)
-        if not node.children and not node.attributes:
-            visual.children.remove(node)
+        if not node.nodes and not node.attributes:
+            visual.remove(node)
 
     def _bounded(self, color: Element) -> str:
         """The numbers of a color; those out of range, which libsdformat refuses, are the nearest in it."""
@@ -112,7 +113,7 @@ class Materials:
                 text = f"{material.title} is left out: no visual uses it"
                 self.context.lose(material, LossKind.DROPPED_ELEMENT, text, Severity.INFO)
 
-    def _texture(self, texture: Element, node: Node) -> None:
+    def _texture(self, texture: Element, node: Xml) -> None:
         file = texture.attributes.get("filename", "").strip()
         context = self.context
         if not file:
@@ -155,7 +156,7 @@ def keep_frictions_of_drake(context: Context, root: Element) -> None:
     if not uses(root, "drake"):
         return
     for name, link in context.links.items():
-        concerned = list(filter(_is_only_for_gazebo, link.elements("collision")))
+        concerned = list(filter(_is_only_for_gazebo, link.children("collision")))
         for collision in concerned:
             for friction in _FRICTIONS:
                 collision.reach(_PROPERTIES).add(friction, _DEFAULT)
@@ -167,7 +168,7 @@ def keep_frictions_of_drake(context: Context, root: Element) -> None:
             context.note(at, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
 
 
-def _is_only_for_gazebo(collision: Node) -> bool:
+def _is_only_for_gazebo(collision: Xml) -> bool:
     properties, at = collision.find(_PROPERTIES), collision
     if properties is not None and any(properties.find(friction) is not None for friction in _FRICTIONS):
         return False
@@ -200,7 +201,7 @@ class Links:
         self.context = context
         self.materials = materials
         self._names: dict[tuple[str, str], dict[str, int]] = {}
-        self.own_inertials: dict[str, Node] = {}
+        self.own_inertials: dict[str, Xml] = {}
         """Link of the source → its own inertial, where that of the link that survives is a sum."""
 
     def fill(self, element: Element, survivor: str, offset: Array) -> None:
@@ -215,7 +216,7 @@ class Links:
         for child in element.nodes:
             if isinstance(child, Comment):
                 if context.ledger.take_comment(child):
-                    node.children.append(child)
+                    node.extend(child)
             elif child is inertial:
                 self._enter_inertial(child, node)
                 self._written(child, node, name, survivor)
@@ -226,28 +227,28 @@ class Links:
         if not merged:
             self._weigh(inertial, survivor, node)
 
-    def _keep(self, child: Element, node: Node, name: str) -> None:
+    def _keep(self, child: Element, node: Xml, name: str) -> None:
         """What SDFormat has no word for, with a mark of its link."""
-        count = len(node.children)
+        count = len(node.nodes)
         self.context.keep(child, node)
-        for made in node.children[count:]:
-            if isinstance(made, Node):
+        for made in node.nodes[count:]:
+            if isinstance(made, Xml):
                 self.context.mark(made, name)
 
-    def _written(self, inertial: Element, node: Node, name: str, survivor: str) -> None:
+    def _written(self, inertial: Element, node: Xml, name: str, survivor: str) -> None:
         """The author's numbers: as they are, or beside the sum that they are part of."""
         plan = self.context.plan
         if name == survivor and survivor not in plan.supplied and plan.bodies.get(survivor) is None:
             self._inertial(inertial, node.add("inertial"))
         elif self.context.options.has_frames and plan.is_summed(name, survivor):
-            self.own_inertials[name] = self._inertial(inertial, Node(INERTIAL))
+            self.own_inertials[name] = self._inertial(inertial, Xml(INERTIAL))
 
-    def _enter_inertial(self, inertial: Element, node: Node) -> None:
+    def _enter_inertial(self, inertial: Element, node: Xml) -> None:
         self.context.carry_comments(inertial, node)
         for part in (inertial, *map(inertial.find, ("origin", "mass", "inertia"))):
             self.context.ledger.take(part)
 
-    def _weigh(self, inertial: Element | None, survivor: str, node: Node) -> None:
+    def _weigh(self, inertial: Element | None, survivor: str, node: Xml) -> None:
         """Write mass properties that are not the author's."""
         plan = self.context.plan
         body = plan.bodies.get(survivor)
@@ -260,7 +261,7 @@ class Links:
         if inertial is not None:
             self._customs_of(inertial, made)
 
-    def _inertial(self, element: Element, node: Node) -> Node:
+    def _inertial(self, element: Element, node: Xml) -> Xml:
         """The author's own numbers."""
         origin = element.find("origin")
         pose = pose_of(origin_of(element)) if is_quaternion(element) else pose_text(element)
@@ -275,7 +276,7 @@ class Links:
             self._customs_of(element, node)
         return node
 
-    def _customs_of(self, inertial: Element, node: Node) -> None:
+    def _customs_of(self, inertial: Element, node: Xml) -> None:
         """Write the custom data of an inertial and its parts where it belongs."""
         self.context.carry(inertial, node)
         for name, counterpart in (("origin", "pose"), ("mass", "mass"), ("inertia", "inertia")):
@@ -306,7 +307,7 @@ class Links:
             return shape, name
         return None
 
-    def _shape(self, part: Element, link: Node, survivor: str, offset: Array) -> None:
+    def _shape(self, part: Element, link: Xml, survivor: str, offset: Array) -> None:
         context = self.context
         names = context.plan.shape_names
         if names is not None and part not in names:
@@ -343,7 +344,7 @@ class Links:
             elif child.name not in {"origin", "geometry"}:
                 context.keep(child, node)
 
-    def _geometry(self, shape: Element, node: Node) -> None:
+    def _geometry(self, shape: Element, node: Xml) -> None:
         if node.name == "ellipsoid":
             node.add("radii", " ".join(self._size(shape, name) for name in "abc"))
         for name in _SHAPES.get(node.name, ()):
@@ -352,7 +353,7 @@ class Links:
             self._mesh(shape, node)
         self.context.carry(shape, node)
 
-    def _mesh(self, shape: Element, node: Node) -> None:
+    def _mesh(self, shape: Element, node: Xml) -> None:
         node.add("uri", self.uri(shape, shape.attributes.get("filename", "").strip()))
         scale = spaced(shape.attributes.get("scale", ""))
         values = floats(scale) or ()
@@ -413,9 +414,9 @@ def link_of(part: Element) -> str:
     return part.parent.attributes.get("name", "") if part.parent is not None else ""
 
 
-def inertial_of(body: MassProperties) -> Node:
+def inertial_of(body: MassProperties) -> Xml:
     """Computed mass properties, in the axes of the link."""
-    node = Node("inertial")
+    node = Xml("inertial")
     center = numbers(body.center)
     if center != "0 0 0":
         node.add("pose", f"{center} 0 0 0")

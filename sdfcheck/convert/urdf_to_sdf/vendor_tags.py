@@ -8,10 +8,10 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings, uses
-from sdfcheck.convert.writer import Node
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.parts.control import Transmission
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind
 
@@ -43,7 +43,7 @@ class VendorTags:
         made = self.spellings.get(element.name.partition(":")[0])
         return made if made is not None and made.knows(element.name) else None
 
-    def put(self, element: Element, node: Node) -> bool:
+    def put(self, element: Element, node: Xml) -> bool:
         """Write a tag into the counterpart of its parent; False if no table has it."""
         made = self.spellings.get(element.name.partition(":")[0])
         if made is None:
@@ -72,7 +72,7 @@ class VendorTags:
         )
         self.lose(element, LossKind.DROPPED_ELEMENT, text)
 
-    def _rename(self, element: Element, written: Node, own: str) -> None:
+    def _rename(self, element: Element, written: Xml, own: str) -> None:
         if written.attributes["name"] != own:
             self.lose(element, LossKind.RENAMED, f"{element.title} is named `{own}`")
             written.attributes["name"] = own
@@ -106,7 +106,7 @@ class VendorTags:
         made = self.spellings.get(attribute.partition(":")[0])
         return made is not None and made.knows(attribute)
 
-    def attributes(self, element: Element | None, node: Node) -> Iterator[str]:
+    def attributes(self, element: Element | None, node: Xml) -> Iterator[str]:
         """Vendors' attributes of an element, as elements of its counterpart; the names of those."""
         for name, text in () if element is None else element.attributes.items():
             if self.knows(name):
@@ -115,7 +115,7 @@ class VendorTags:
 
     # Actuators
 
-    def drive(self, transmission: Transmission, joints: Mapping[str, Node]) -> set[Element]:
+    def drive(self, transmission: Transmission, joints: Mapping[str, Xml]) -> set[Element]:
         """Put what vendors say of an actuator into the written joint that it drives; returns what was put there."""
         joint = joints.get(_driven(transmission))
         if joint is None or joint.attributes.get("type") == "fixed":
@@ -126,7 +126,7 @@ class VendorTags:
                 done.add(child)
         return done
 
-    def report_actuators(self, joints: Mapping[str, Node]) -> None:
+    def report_actuators(self, joints: Mapping[str, Xml]) -> None:
         """Drake drives joints with a transmission in URDF, and in SDFormat those with an effort other than 0."""
         if not uses(self.plan.root, "drake"):
             return
@@ -146,13 +146,13 @@ class VendorTags:
 
     # Frames
 
-    def frame(self, element: Element) -> Node | None:
+    def frame(self, element: Element) -> Xml | None:
         """Drake's ``frame`` of a robot; None where SDFormat cannot have it."""
         plan = self.plan
         link, own = element.attributes.get("link", ""), element.attributes.get("name", "")
         if not self.options.has_frames or link not in plan.home or plan.is_world(link) or not own:
             return None
-        node = Node("frame", None, name=self.named["frame", own], attached_to=plan.names.links[link])
+        node = Xml("frame", None, name=self.named["frame", own], attached_to=plan.names.links[link])
         if node.attributes["name"] != own:
             text = f"{element.title} is named `{node.attributes['name']}`"
             self.lose(element, LossKind.RENAMED, text)
@@ -168,10 +168,10 @@ def _driven(transmission: Transmission) -> str:
     return names[0].text if is_read else ""
 
 
-def without(node: Node, source: Element, gone: set[Element]) -> None:
+def without(node: Xml, source: Element, gone: set[Element]) -> None:
     """Take the copies of some elements out of the copy of ``source``."""
-    for copy, child in zip(list(node.elements()), source.children(), strict=True):
+    for copy, child in zip(list(node.children()), source.children(), strict=True):
         if child in gone:
-            node.children.remove(copy)
+            node.remove(copy)
         else:
             without(copy, child, gone)

@@ -25,7 +25,7 @@ from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.values import is_true
-from sdfcheck.source.altered import Altered
+from sdfcheck.source.altered import Altered, Xml, copied
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple, Record
 from sdfcheck.source.sniff import Kind
@@ -86,8 +86,8 @@ def included(document: Document, include: Element) -> Included:
     resolved = document.view(_Resolved)
     if include in resolved:
         return resolved[include]
-    read = document.origin.get(include) if isinstance(document, Altered) else None
-    if read is not None and isinstance(document, Altered) and read.document is document.original:
+    read = include.origin if isinstance(include, Xml) else None
+    if read is not None and isinstance(document, Altered) and document.copies.get(read) is include:
         found = included(read.document, read)._replace(include=include)
     else:
         found = resolved[include] = _resolve(document, include)  # where it leads back to itself
@@ -399,7 +399,8 @@ class Alterations:
                 _take_over(include, model, found.name or "")
             found = found._replace(model=model)
             self._bring(include, found)
-        document = changeable(found.model)  # type: ignore[arg-type]
+        document = found.model.document  # type: ignore[union-attr]
+        assert isinstance(document, Altered)
         return document.copies.get(place.element, place.element)
 
     def outermost(self, place: Place) -> Element:
@@ -429,10 +430,18 @@ class Alterations:
         return document.copies[model]
 
 
-def changeable(element: Element) -> Altered:
-    """The document of an element of a copy."""
-    assert isinstance(element.document, Altered)
-    return element.document
+def changeable(element: Element | None) -> Xml:
+    """An element of a copy."""
+    assert isinstance(element, Xml)
+    return element
+
+
+def copy_for(holder: Element, element: Element, without: frozenset[str] = frozenset()) -> Xml:
+    """A copy of an element, but for some attributes, for the document of another one."""
+    made = copied(element, without)
+    for part in made.walk():
+        part.document = holder.document
+    return made
 
 
 def _take_over(include: Element, model: Element, name: str) -> None:
@@ -442,10 +451,11 @@ def _take_over(include: Element, model: Element, name: str) -> None:
     for kind in _OVERRIDDEN:
         given, own = include.find(kind), model.find(kind)
         if given is not None:
+            made = copy_for(model, given)
             if own is not None:
-                inside.replace(own, given)
+                inside.replace(own, made)
             else:
-                inside.add(model, given)
+                inside.append(made)
     placement = include.find("placement_frame")
     if placement is not None and placement.content:
         model.attributes["placement_frame"] = placement.content
@@ -619,10 +629,10 @@ class _Entry:
         return not problems
 
     def put(self, parent: Element, entry: Element) -> None:
-        changeable(parent).add(parent, entry, _OWN_ATTRIBUTES)
+        changeable(parent).append(copy_for(parent, entry, _OWN_ATTRIBUTES))
 
     def exchange(self, old: Element, entry: Element) -> None:
-        changeable(old).replace(old, entry, _OWN_ATTRIBUTES)
+        changeable(old.parent).replace(old, copy_for(old, entry, _OWN_ATTRIBUTES))
 
     def part(self, wanted: Element, target: Element, *, may_rename: bool = False) -> Element | None:
         """The child of the target that is meant; None, and a word about it, if there is none."""
@@ -654,13 +664,13 @@ class _Entry:
         children = list(wanted.children())
         if not children and not wanted.content:
             target = self.alterations.outermost(place)
-            changeable(target).remove(target)
+            changeable(target.parent).remove(target)
             return
         target = self.alterations.own(place)
         for child in children:
             part = self.part(child, target)
             if part is not None:
-                changeable(part).remove(part)
+                changeable(part.parent).remove(part)
 
     def modify(self, wanted: Element, target: Element) -> None:
         definition = definition_of(target)
@@ -668,7 +678,8 @@ class _Entry:
         if wanted.content:
             if definition is not None and definition.type is not None:
                 self.found += text_problems(wanted, definition)
-            changeable(target).write(target, wanted)
+            changeable(target).write(wanted.content)
+            changeable(target).origin = wanted
             return
         for child in wanted.children():
             part = self.part(child, target, may_rename=True)
@@ -702,7 +713,9 @@ def definition_of(element: Element) -> Definition | None:
     while at.parent is not None:
         names.insert(0, at.name)
         at = at.parent
-    definition: Definition | None = schema(survey(changeable(element).original).version).root
+    document = element.document
+    assert isinstance(document, Altered)
+    definition: Definition | None = schema(survey(document.original).version).root
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
     return history.in_version(definition, NEWEST) if definition is not None else None

@@ -7,8 +7,8 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
-from sdfcheck.convert.writer import Node
 from sdfcheck.robot.motion.mechanism import Joint
+from sdfcheck.source.altered import Xml
 
 BOX = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 ROBOT = f'<robot name="r"><link name="a">{BOX}</link></robot>\n'
@@ -248,11 +248,11 @@ def test_a_result_that_its_consumer_refuses_although_it_reads_the_source_is_not_
 ) -> None:
     write = Joints.write
 
-    def without_axis(self: Joints, joint: Joint, model: Node) -> None:
+    def without_axis(self: Joints, joint: Joint, model: Xml) -> None:
         write(self, joint, model)
         axis = self.context.joints[joint.name].find("axis")
         if axis is not None:
-            axis.children.clear()
+            axis.nodes.clear()
 
     monkeypatch.setattr(Joints, "write", without_axis)
     hinge = f'<link name="b">{BOX}</link><joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>'

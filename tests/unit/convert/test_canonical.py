@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.file_difference import compare_files
-from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, canonical
-from sdfcheck.convert.rewrite.tidy import Branch, NumberStyle
+from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, NumberStyle, canonical
+from sdfcheck.source.altered import Xml
 from sdfcheck.source.wrong_usage import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write
 
@@ -267,14 +267,14 @@ def test_prefixes_that_the_included_file_declares(tmp_path: Path) -> None:
     assert '<model name="part" xmlns:my="u">' in text
 
 
-def test_text_of_a_branch_is_that_before_its_first_child() -> None:
-    branch = Branch("a")
-    branch.parts = [Branch("b"), "after"]
-    assert branch.text == ""
-    branch.text = "first"
-    assert branch.text == "first"
-    branch.text = "other"
-    assert [part for part in branch.parts if isinstance(part, str)] == ["other", "after"]
+def test_the_text_of_an_element_is_that_before_its_first_child() -> None:
+    element = Xml("a")
+    element.add("b").tail = "after"
+    assert element.content == ""
+    element.write("first")
+    assert element.content == "first"
+    element.write("other")
+    assert (element.text, element.nodes[0].tail) == ("other", "after")
 
 
 def test_words_between_elements_keep_their_blanks_in_plugins_only(tmp_path: Path) -> None:

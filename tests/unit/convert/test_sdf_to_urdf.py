@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.comparison import verify
 from sdfcheck.convert.loss import LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import Loops, Options, Unsupported, convert
 from sdfcheck.convert.sdf_to_urdf.plan import Naming
-from sdfcheck.convert.verify import verify
 from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.root import root_of

@@ -7,20 +7,21 @@ import pytest
 from sdfcheck.convert.result import Conversion, seen_from
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
-from sdfcheck.convert.writer import Node, copied, number, numbers, render, settled, write_atomically
+from sdfcheck.convert.writer import number, numbers, render, settled, write_atomically
+from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
 def test_text_and_attributes_are_escaped() -> None:
-    root = Node("a", "1 < 2 & 3", name='say "hi"')
+    root = Xml("a", "1 < 2 & 3", name='say "hi"')
     assert render(root) == '<?xml version="1.0"?>\n<a name="say &quot;hi&quot;">1 &lt; 2 &amp; 3</a>\n'
 
 
 def test_comments_stay_comments() -> None:
-    root = Node("a")
-    root.children.append(Comment(" one -- two -"))
+    root = Xml("a")
+    root.extend(Comment(" one -- two -"))
     text = render(root, before=[Comment(" first ")])
     assert "<!-- first -->" in text
     assert "<!-- one - - two - -->" in text
@@ -45,7 +46,7 @@ def test_copies_keep_prefixes_and_comments() -> None:
     assert root is not None
     node = copied(next(root.children()))
     assert (node.name, node.attributes) == ("a:b", {"c": "1"})
-    assert isinstance(node.children[0], Comment)
+    assert isinstance(node.nodes[0], Comment)
     assert node.reach("d").text == "2"
 
 
@@ -76,7 +77,7 @@ def test_mass_properties_of_links_that_were_joined_are_written_without_noise() -
 
 
 def test_angles_in_a_text_are_escaped() -> None:
-    node = Node("a", "1 < 2 > 1 & 3 ]]> 4")
+    node = Xml("a", "1 < 2 > 1 & 3 ]]> 4")
     assert "1 &lt; 2 &gt; 1 &amp; 3 ]]&gt; 4" in render(node)
 
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.rewrite.written_out import needs_writing_out, written_out
+from sdfcheck.convert.migrate.migrate import written_out
+from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document, Element, read
 
@@ -64,15 +65,16 @@ def below(document: Document, name: str) -> Element:
 def test_parameters(tmp_path: Path, parameters: str, present: str, absent: str) -> None:
     document = included(tmp_path, parameters)
     assert not needs_writing_out(document)
-    done, notes = written_out(document)
-    assert not notes
+    done, expansion = written_out(document)
+    assert not expansion.notes
     assert present in done.source.text
     assert absent not in done.source.text
 
 
 def test_faulty_parameters_are_not_carried_out(tmp_path: Path) -> None:
     document = included(tmp_path, '<link element_id="none" action="remove"/>')
-    done, (note,) = written_out(document)
+    done, expansion = written_out(document)
+    (note,) = expansion.notes
     assert done is document
     assert "at fault" in note
 

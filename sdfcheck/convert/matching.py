@@ -1,20 +1,73 @@
-"""Which link and joint of one robot is which of another, and one robot seen through the frames of the other."""
+"""Which link, joint and shape of one robot is which of another, and one robot seen through the frames of the other."""
 
 from __future__ import annotations
 
+import math
+from bisect import bisect_left
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import cycle, islice
+from operator import mul
+from typing import Generic, TypeVar
 
 import numpy as np
 
-from sdfcheck.convert.nearby import Nearby
 from sdfcheck.robot.motion.mass import default_mass
 from sdfcheck.robot.motion.mass_properties import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.sniff import Kind
+
+# Things with numbers, such as poses and sizes, found by numbers that are nearly the same.
+
+
+T = TypeVar("T")
+
+_WEIGHTS = tuple(1 + math.sin(number) / 2 for number in range(1, 17))
+"""Irregular, so that different numbers seldom have the same sum."""
+
+
+class Nearby(Generic[T]):
+    """Things in the order of a sum of their numbers, in which those that are nearly the same are side by side."""
+
+    def __init__(self, things: Iterable[tuple[Sequence[float], T]]) -> None:
+        pairs = sorted(((_sum(numbers), thing) for numbers, thing in things), key=lambda pair: pair[0])
+        self._sums = [each for each, _ in pairs]
+        self._things = [thing for _, thing in pairs]
+
+    def copy(self) -> Nearby[T]:
+        made: Nearby[T] = Nearby(())
+        made._sums, made._things = self._sums.copy(), self._things.copy()
+        return made
+
+    def near(self, numbers: Sequence[float], tolerance: float) -> Iterator[T]:
+        """All whose numbers are within ``tolerance``, or a part of 1e-9, of these, one by one; and seldom others."""
+        wanted = _sum(numbers)
+        margin = sum(tolerance + 1e-8 * abs(number) for number in _finite(numbers)) * max(_WEIGHTS)
+        at = bisect_left(self._sums, wanted - margin)
+        while at < len(self._sums) and self._sums[at] <= wanted + margin:
+            yield self._things[at]
+            at += 1
+
+    def __iter__(self) -> Iterator[T]:
+        return iter(self._things)
+
+    def remove(self, numbers: Sequence[float], thing: T) -> None:
+        """Take out a thing with its numbers, which must be there."""
+        at = bisect_left(self._sums, _sum(numbers))
+        while self._things[at] is not thing:
+            at += 1
+        del self._things[at], self._sums[at]
+
+
+def _sum(numbers: Sequence[float]) -> float:
+    return float(sum(map(mul, _finite(numbers), cycle(_WEIGHTS))))
+
+
+def _finite(numbers: Iterable[float]) -> list[float]:
+    return [number if math.isfinite(number) else 0.0 for number in numbers]
+
 
 # Which link and joint of one robot is which of another: by name, or by being alike.
 
@@ -117,11 +170,20 @@ class Shapes:
             kinds.setdefault(self._kind(shape), []).append((_numbers(shape), shape))
         self._kinds = {kind: Nearby(pairs) for kind, pairs in kinds.items()}
 
-    def take(self, like: Geometry) -> Geometry | None:
+    def copy(self) -> Shapes:
+        made = Shapes((), self._tolerance, self._key)
+        made._kinds = {kind: shapes.copy() for kind, shapes in self._kinds.items()}
+        return made
+
+    def like(self, wanted: Geometry) -> Iterator[Geometry]:
+        """Those that are like a shape."""
+        margin = self._tolerance * max(1.0, float(np.abs(wanted.pose[:3, 3]).max()))
+        near = self._kinds.get(self._kind(wanted), _NO_SHAPES).near(_numbers(wanted), 2 * margin)
+        return (shape for shape in near if same_geometry(shape, wanted, self._tolerance))
+
+    def take(self, wanted: Geometry) -> Geometry | None:
         """Take out one that is like a shape; None if there is none."""
-        margin = self._tolerance * max(1.0, float(np.abs(like.pose[:3, 3]).max()))
-        near = self._kinds.get(self._kind(like), _NO_SHAPES).near(_numbers(like), 2 * margin)
-        found = next((shape for shape in near if same_geometry(shape, like, self._tolerance)), None)
+        found = next(self.like(wanted), None)
         if found is not None:
             self.remove(found)
         return found
