@@ -47,9 +47,9 @@ class UnknownControlSimulator(Rule):
         ),
         Bad(
             '<gazebo><plugin filename="«libignition_ros2_control-system.so»"'
-            ' name="ignition_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            ' name="ign_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
             fixed='<gazebo><plugin filename="ign_ros2_control-system"'
-            ' name="ignition_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            ' name="ign_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
             unsafe=True,
             says="no library `libignition_ros2_control-system.so`; did you mean `ign_ros2_control-system`?",
         ),
