@@ -3,6 +3,10 @@
 They say nothing of the robot, and are not compared.
 """
 
+from __future__ import annotations
+
+from sdfcheck.source.document import Element
+
 JOINT, PARENT = "urdf:joint", "urdf:parent"
 """On a frame that was a link: the frame that was its joint, and what that joint was fixed to."""
 LINK = "urdf:link"
@@ -22,3 +26,10 @@ MERGED, NOTHING = "urdf:merged", "urdf:nothing"
 SCRIPTS = "file://media/materials/scripts/gazebo.material"
 """Where the scripts are that a ``<material>`` of a ``<gazebo>`` block names."""
 MARKS = frozenset({BLOCK, EMPTY, JOINT, PARENT, LINK, INERTIAL, PACKAGES, WAS, MERGED, NOTHING})
+
+
+def is_mark(element: Element) -> bool:
+    """Is an element a mark? An ``inertial`` elsewhere is one that its author wrote in the wrong place."""
+    holder = element.parent
+    is_marked = element.name != INERTIAL or (holder is not None and holder.name in {"link", "frame"})
+    return element.name in MARKS and is_marked

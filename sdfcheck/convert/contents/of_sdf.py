@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
 from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
-from sdfcheck.convert.marks import BLOCK, MARKS
+from sdfcheck.convert.marks import BLOCK, is_mark
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
@@ -136,7 +136,7 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
     others = (
         child
         for child in element.children()
-        if child.name not in without | MARKS and not _is_kept_idle(child)
+        if child.name not in without and not is_mark(child) and not _is_kept_idle(child)
     )
     made.children += custom_entries(others, Kind.SDF)
     return made

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import EMPTY, INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT
+from sdfcheck.convert.marks import EMPTY, INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT, is_mark
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import declare, undeclared_prefixes
@@ -155,7 +155,7 @@ def carry_custom(context: Context, node: Xml, element: Element | None, scope: st
     for child in element.children():
         if not child.is_custom or child.name == PARAMETERS:
             continue
-        if child.name.startswith(_OF_URDF) and child.name != INERTIAL:
+        if child.name.startswith(_OF_URDF) and not (child.name == INERTIAL and is_mark(child)):
             _give_back(context, node, child, scope)
             continue
         if VendorTags(context, scope).put(child, node):

@@ -84,6 +84,9 @@ class Context:
     dropped_shapes: set[str] = field(default_factory=set)
     lost_mimics: set[str] = field(default_factory=set)
     """Joints that do not follow another any more."""
+    given: dict[tuple[int, tuple[str, ...]], tuple[Element, str, str]] = field(default_factory=dict)
+    """Setting of a written link, by its identity and path → the element of a block, the link that this is about, the
+    text."""
     overruled: dict[str, dict[str, float]] = field(default_factory=dict)
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
     namespaces: dict[str, str] = field(default_factory=dict)

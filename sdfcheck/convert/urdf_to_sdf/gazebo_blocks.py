@@ -436,7 +436,19 @@ class _LinkPart:
                 for collision in self._some_parts(entry, link, "collision"):
                     collision.reach(*path[1:]).write(text)
             else:
+                self._take_over(entry, link, path, text)
                 link.reach(*path).write(text)
+
+    def _take_over(self, entry: Element, link: Xml, path: tuple[str, ...], text: str) -> None:
+        """Note a setting that another link of the same link has given otherwise before: the last one counts."""
+        own = entry, self.reference, text
+        first, whose, before = self.context.given.get((id(link), path), own)
+        if whose != self.reference and before != text:
+            message = (
+                f"<{first.name}> of link `{whose}` gives way to that of `{self.reference}`: they are one link"
+            )
+            self.context.note(first, LossKind.MERGED_LINK, message)
+        self.context.given[id(link), path] = own
 
     def _of_shapes(self, entry: Element, link: Xml) -> None:
         """The settings of a block for all visuals or collisions."""
@@ -478,6 +490,8 @@ class _LinkPart:
         made = copied_entry(self.context, entry, link)
         single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
         there = link.find(entry.name) if single else None
+        if single:
+            self._take_over(entry, link, (entry.name,), made.content)
         if there is not None:
             merge(made, there)
             return

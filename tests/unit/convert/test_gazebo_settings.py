@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
-from sdfcheck.convert.urdf_to_sdf.options import Options
+from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import all_settings, settings
 from sdfcheck.formats.version import NEWEST
@@ -66,3 +66,22 @@ def test_words_that_libsdformat_does_not_translate_change_no_collision(setting: 
 )
 def test_settings_are_written_where_libsdformat_writes_them(setting: str, written: str) -> None:
     assert written in converted(setting)
+
+
+@pytest.mark.parametrize(("second", "count"), [("false", 1), ("true", 0)])
+def test_a_setting_that_merging_replaces_is_reported(second: str, count: int) -> None:
+    blocks = "".join(
+        f'<gazebo reference="{link}"><selfCollide>{value}</selfCollide></gazebo>'
+        for link, value in (("a", "true"), ("b", second))
+    )
+    body = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    robot = (
+        f'<robot name="r"><link name="a">{body}</link><link name="b">{body}</link>'
+        f'<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>{blocks}</robot>'
+    )
+    done = urdf_to_sdf(read(robot.encode(), Path("r.urdf")), Options(fixed_joints=FixedJoints.MERGE))
+    assert done.verification is not None
+    assert done.verification.is_equal
+    assert f"<self_collide>{second}</self_collide>" in done.text
+    said = [loss.message for loss in done.losses if "gives way" in loss.message]
+    assert said == ["<selfCollide> of link `a` gives way to that of `b`: they are one link"] * count

@@ -152,3 +152,10 @@ def test_marks_are_only_where_frames_are() -> None:
     old = urdf_to_sdf(document(HEAVY, "robot.urdf"), Options(Version(1, 6), FixedJoints.MERGE))
     assert "urdf:" not in old.text
     assert document(old.text, "old.sdf").kind is Kind.SDF
+
+
+def test_an_inertial_in_the_wrong_place_is_no_mark() -> None:
+    urdf = TOOL.replace("</robot>", f"{INERTIAL.format(7)}</robot>")
+    done = back(there(urdf))
+    assert 'mass value="7"' in done.text
+    assert not changes(urdf, done.text)
