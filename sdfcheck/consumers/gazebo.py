@@ -9,9 +9,11 @@ left. Each part of the result knows the part of the description that it comes fr
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator
 from functools import cache
 from itertools import takewhile
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.urdf.schema import settings
@@ -283,10 +285,12 @@ class GazeboRobot:
     ) -> Iterator[BuiltShape]:
         base = members[0].name
         handed_on = _handed_on(kind)
-        given = [
-            (block, [child for child in block.children() if child.name in handed_on]) for block in blocks
-        ]
-        passed = [(block.reference, children) for block, children in given if children]
+        passed: dict[str, list[tuple[int, Element]]] = {}
+        """Reference of blocks → their settings for shapes, with their place among all of them."""
+        settings_of = ((block.reference, child) for block in blocks for child in block.children())
+        for place, (reference, child) in enumerate(settings_of):
+            if child.name in handed_on:
+                passed.setdefault(reference, []).append((place, child))
         shapes = (
             (shape, shape.element.attributes.get("name", "") or link.name)
             for link in members
@@ -296,13 +300,18 @@ class GazeboRobot:
             name = f"{called}_{kind}" + (f"_{number}" if number else "")
             if not name.startswith(base):
                 name = f"{base}{_LUMP}{name}"
-            reaching = tuple(
-                child
-                for reference, children in passed
-                if (_LUMP not in name if reference == base else f"{_LUMP}{reference}_{kind}" in name)
-                for child in children
+            references = {base} if _LUMP not in name else set(_referred(name, kind)) - {base}
+            reaching = sorted(
+                (each for reference in references for each in passed.get(reference, ())), key=itemgetter(0)
             )
-            yield BuiltShape(name, shape, reaching)
+            yield BuiltShape(name, shape, tuple(child for _, child in reaching))
+
+
+def _referred(name: str, kind: str) -> Iterator[str]:
+    """The references of blocks that reach a shape of a merged link: what is between the mark and the kind."""
+    for mark in re.finditer(_LUMP, name):
+        for end in re.finditer(f"_{kind}", name[mark.end() :]):
+            yield name[mark.end() : mark.end() + end.start()]
 
 
 @cache

@@ -21,6 +21,7 @@ from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.robot.parts.gazebo import text_of_setting
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.record import NamedTuple
 
 # The elements of URDF that have a counterpart in SDFormat, and the attributes in which they say something.
 
@@ -63,6 +64,15 @@ KEPT = "urdf"
 """The prefix of what only URDF has."""
 
 
+class Given(NamedTuple):
+    """A setting of a link: the element of a block, the link that this is about, what was written and where."""
+
+    entry: Element
+    link: str
+    text: str
+    node: Xml
+
+
 @dataclass(slots=True)
 class Context:
     options: Options
@@ -71,8 +81,8 @@ class Context:
     links: dict[str, Xml] = field(default_factory=dict)
     """The element that was written for each link (of the source) that survives."""
     joints: dict[str, Xml] = field(default_factory=dict)
-    came_from: dict[int, str] = field(default_factory=dict)
-    """The link (of the source) that a written shape came from, by the identity of its node."""
+    shapes_of: dict[tuple[str, str], list[Xml]] = field(default_factory=dict)
+    """Link of the source and kind → the shapes that were written for it."""
     shapes: dict[Element, tuple[Xml, Xml]] = field(default_factory=dict)
     """The visuals and collisions of the source → the link and the element that were written for each."""
     copies: list[tuple[Element, Xml, Xml]] = field(default_factory=list)
@@ -84,9 +94,8 @@ class Context:
     dropped_shapes: set[str] = field(default_factory=set)
     lost_mimics: set[str] = field(default_factory=set)
     """Joints that do not follow another any more."""
-    given: dict[tuple[int, tuple[str, ...]], tuple[Element, str, str]] = field(default_factory=dict)
-    """Setting of a written link, by its identity and path → the element of a block, the link that this is about, the
-    text."""
+    given: dict[tuple[int, tuple[str, ...]], Given] = field(default_factory=dict)
+    """Setting of a written link, by its identity and path → who gave it."""
     overruled: dict[str, dict[str, float]] = field(default_factory=dict)
     """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
     namespaces: dict[str, str] = field(default_factory=dict)

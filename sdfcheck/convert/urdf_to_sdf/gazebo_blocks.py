@@ -12,7 +12,7 @@ from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.marks import NONE, SCRIPTS, WAS
 from sdfcheck.convert.old_sensors import renew
-from sdfcheck.convert.urdf_to_sdf.context import Context, pose_of
+from sdfcheck.convert.urdf_to_sdf.context import Context, Given, pose_of
 from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
 from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.sdf.values import floats, number
@@ -406,6 +406,10 @@ class Extensions:
             joint.reach(*path).write(text)
 
 
+_ONCE = frozenset({"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"})
+"""Elements of which a link has one."""
+
+
 class _LinkPart:
     """Puts what a block says of one link into the link that survives, in which it has a 4×4 pose."""
 
@@ -419,9 +423,9 @@ class _LinkPart:
         if (setting := settings("link").get(name)) is not None:
             self._setting(entry, setting, link)
         elif name in {"visual", "collision"}:
-            self._of_shapes(entry, link)
+            self._of_shapes(entry)
         elif name == "material":
-            self._script(entry, link)
+            self._script(entry)
         elif entry.is_custom or context.allows(f"link/{name}"):
             self._native(entry, link)
         else:
@@ -433,46 +437,43 @@ class _LinkPart:
             return
         for path in setting.counterparts:
             if path[0] == "collision":
-                for collision in self._some_parts(entry, link, "collision"):
+                for collision in self._some_parts(entry, "collision"):
                     collision.reach(*path[1:]).write(text)
             else:
-                self._take_over(entry, link, path, text)
-                link.reach(*path).write(text)
+                self._take_over(entry, link, path, text).write(text)
 
-    def _take_over(self, entry: Element, link: Xml, path: tuple[str, ...], text: str) -> None:
-        """Note a setting that another link of the same link has given otherwise before: the last one counts."""
-        own = entry, self.reference, text
-        first, whose, before = self.context.given.get((id(link), path), own)
-        if whose != self.reference and before != text:
-            message = (
-                f"<{first.name}> of link `{whose}` gives way to that of `{self.reference}`: they are one link"
-            )
-            self.context.note(first, LossKind.MERGED_LINK, message)
-        self.context.given[id(link), path] = own
+    def _take_over(self, entry: Element, link: Xml, path: tuple[str, ...], text: str) -> Xml:
+        """The element of a setting; what another part of the same link has given otherwise before is reported."""
+        first = self.context.given.get((id(link), path))
+        node = link.reach(*path) if first is None else first.node
+        if first is not None and first.link != self.reference and first.text != text:
+            what, other = f"<{first.entry.name}> of link `{first.link}`", f"that of `{self.reference}`"
+            message = f"{what} gives way to {other}: they are one link"
+            self.context.note(first.entry, LossKind.MERGED_LINK, message)
+        self.context.given[id(link), path] = Given(entry, self.reference, text, node)
+        return node
 
-    def _of_shapes(self, entry: Element, link: Xml) -> None:
+    def _of_shapes(self, entry: Element) -> None:
         """The settings of a block for all visuals or collisions."""
-        for part in self._some_parts(entry, link, entry.name):
+        for part in self._some_parts(entry, entry.name):
             self.context.ledger.copy(entry)
             merge(copied(entry), part)
 
-    def _some_parts(self, entry: Element, link: Xml, role: str) -> list[Xml]:
+    def _some_parts(self, entry: Element, role: str) -> list[Xml]:
         """The shapes from the link that the block names, which a setting is about; reported if there are none."""
-        parts = [
-            part for part in link.children(role) if self.context.came_from.get(id(part)) == self.reference
-        ]
+        parts = self.context.shapes_of.get((self.reference, role), [])
         if not parts:
             text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
         return parts
 
-    def _script(self, entry: Element, link: Xml) -> None:
+    def _script(self, entry: Element) -> None:
         if not text_of_setting(entry):
             text = "<material> of a block is the name of a script, and this one has none; it is left out"
             self.context.lose(entry, LossKind.CHANGED_MATERIAL, text)
             return
         self.context.ledger.take(entry, TEXT, "value")
-        visuals = self._some_parts(entry, link, "visual")
+        visuals = self._some_parts(entry, "visual")
         for visual in visuals:
             material = visual.reach("material")
             if (script := material.find("script")) is not None:
@@ -488,12 +489,8 @@ class _LinkPart:
 
     def _native(self, entry: Element, link: Xml) -> None:
         made = copied_entry(self.context, entry, link)
-        single = entry.name in {"gravity", "self_collide", "enable_wind", "kinematic", "velocity_decay"}
-        there = link.find(entry.name) if single else None
-        if single:
-            self._take_over(entry, link, (entry.name,), made.content)
-        if there is not None:
-            merge(made, there)
+        if entry.name in _ONCE:
+            merge(made, self._take_over(entry, link, (entry.name,), made.content))
             return
         if entry.name in _PLACED and not np.array_equal(self.offset, np.eye(4)):
             self._move(entry, made)

@@ -321,7 +321,7 @@ class Links:
             return
         shape, name = held
         node = link.add(part.name, None, name=self._name(part, survivor))
-        context.came_from[id(node)] = link_of(part)
+        context.shapes_of.setdefault((link_of(part), part.name), []).append(node)
         context.mark(node, link_of(part))
         context.shapes[part] = link, node
         context.ledger.take(part)
