@@ -253,7 +253,8 @@ class Series(NamedTuple):
 
 
 _TO_SDF, _TO_URDF = "convert urdf-to-sdf", "convert sdf-to-urdf"
-_MERGED, _UPGRADE = "convert urdf-to-sdf --fixed-joints merge", "convert sdf-to-sdf --sdf-version 1.11"
+_MERGED, _LIKE = "convert urdf-to-sdf --fixed-joints merge", "convert urdf-to-sdf --like gazebo"
+_UPGRADE = "convert sdf-to-sdf --sdf-version 1.11"
 
 SERIES: dict[str, Series] = {
     "chain of revolute joints": Series(
@@ -262,7 +263,7 @@ SERIES: dict[str, Series] = {
         ('="l', '="x'),
     ),
     "chain of fixed joints": Series(
-        _chain_of("fixed"), ("lint", _TO_SDF, _MERGED, "diff", "targets"), ('="j', '="x')
+        _chain_of("fixed"), ("lint", _TO_SDF, _MERGED, _LIKE, "diff", "targets"), ('="j', '="x')
     ),
     "links on one link": Series(
         _urdf_of(_HELD), ("lint", _TO_SDF, "diff", "targets", "print", "inertia", "view"), ('="k', '="x')
@@ -359,6 +360,13 @@ SERIES: dict[str, Series] = {
         _urdf_of(_HELD + '<gazebo reference="k#"><mu1>0.5</mu1><selfCollide>1</selfCollide></gazebo>'),
         ("lint", _TO_SDF, "diff", "print"),
         ("0.5", "0.6"),
+    ),
+    "gazebo blocks of merged links": Series(
+        _urdf_of(
+            _HELD.replace("revolute", "fixed")
+            + '<gazebo reference="k#"><mu1>0.5</mu1><selfCollide>1</selfCollide></gazebo>'
+        ),
+        ("lint", _MERGED, _LIKE),
     ),
     "mimicking joints": Series(
         _urdf_of(_HELD.replace("<axis", '<mimic joint="j0"/><axis')), ("lint", _TO_SDF, "diff"), ('"k', '"x')
