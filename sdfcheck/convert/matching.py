@@ -358,8 +358,8 @@ class _Search:
 
 
 def _parents_first(robot: Mechanism) -> list[str]:
-    carried = [joint.child for joint in robot.tree()]
-    return [*(name for name in robot.links if name not in set(carried)), *carried]
+    carried = dict.fromkeys(joint.child for joint in robot.tree())
+    return [*(name for name in robot.links if name not in carried), *carried]
 
 
 def _shifted(link: Link, shift: Array) -> Link:
