@@ -112,11 +112,11 @@ class Findings(ABC):
         self.found.append(DeprecatedElement(element, None, *history.deprecation(definition)))
 
     def several(self, element: Element, place: Definition) -> None:
-        """The elements in one of which only the first counts."""
+        """The elements in one of which only the first counts; a format whose rows say ``exclusive`` has it."""
         raise NotImplementedError
 
     def wrapped(self, element: Element, definition: Definition) -> None:
-        """An element whose attributes may have tabs and line breaks that matter."""
+        """An element whose attributes have tabs or line breaks; a format whose walk asks for them has it."""
         raise NotImplementedError
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:

@@ -8,6 +8,7 @@ of the format, which a sound document never loads.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections import defaultdict
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -24,7 +25,7 @@ _REMEMBERED = 1000
 """So many accepted texts are kept for each place: most worlds repeat themselves."""
 
 
-class Walk(Generic[F]):
+class Walk(ABC, Generic[F]):
     """One walk; what it meets that is not accepted at once goes to its findings."""
 
     is_wrapped = False
@@ -46,9 +47,9 @@ class Walk(Generic[F]):
             self.explained = self.explain()
         return self.explained
 
+    @abstractmethod
     def explain(self) -> F:
         """The findings of the format, empty."""
-        raise NotImplementedError
 
     def conclude(self) -> list[object]:
         """All problems, once every element is walked over."""

@@ -311,7 +311,7 @@ class Links:
         context = self.context
         names = context.plan.shape_names
         if names is not None and part not in names:
-            text = f"the {part.name} of link `{link_of(part)}` is left out: Gazebo stops to read the link before it"
+            text = f"the {part.name} of link `{link_of(part)}` is left out: Gazebo stops reading the link before it"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
             shapes = (shape.name for each in part.children("geometry") for shape in each.children())
             context.dropped_shapes |= {_OF_VENDORS.get(name, name) for name in shapes}
