@@ -82,9 +82,10 @@ class _Separation:
             if (
                 survivor in links
                 and (model.origin, survivor) not in kept
-                and joint in frames.keys() - {name}
+                and joint in frames
+                and joint != name
                 and frames[joint].attributes.get("attached_to") == survivor
-                and parent in links.keys() | frames.keys() - {name, joint}
+                and (parent in links or (parent in frames and parent not in {name, joint}))
             ):
                 parts.setdefault(survivor, {})[name] = frame
                 _to_joint(frames[joint], name, parent)
