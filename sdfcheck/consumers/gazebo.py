@@ -291,6 +291,7 @@ class GazeboRobot:
         for place, (reference, child) in enumerate(settings_of):
             if child.name in handed_on:
                 passed.setdefault(reference, []).append((place, child))
+        lengths = {len(reference) for reference in passed}
         shapes = (
             (shape, shape.element.attributes.get("name", "") or link.name)
             for link in members
@@ -300,18 +301,19 @@ class GazeboRobot:
             name = f"{called}_{kind}" + (f"_{number}" if number else "")
             if not name.startswith(base):
                 name = f"{base}{_LUMP}{name}"
-            references = {base} if _LUMP not in name else set(_referred(name, kind)) - {base}
+            references = {base} if _LUMP not in name else set(_referred(name, kind, lengths)) - {base}
             reaching = sorted(
                 (each for reference in references for each in passed.get(reference, ())), key=itemgetter(0)
             )
             yield BuiltShape(name, shape, tuple(child for _, child in reaching))
 
 
-def _referred(name: str, kind: str) -> Iterator[str]:
-    """The references of blocks that reach a shape of a merged link: what is between the mark and the kind."""
+def _referred(name: str, kind: str, lengths: Iterable[int]) -> Iterator[str]:
+    """What is between the mark and the kind in the name of a shape of a merged link, if of one of some lengths."""
     for mark in re.finditer(_LUMP, name):
-        for end in re.finditer(f"_{kind}", name[mark.end() :]):
-            yield name[mark.end() : mark.end() + end.start()]
+        for length in lengths:
+            if name.startswith(f"_{kind}", mark.end() + length):
+                yield name[mark.end() : mark.end() + length]
 
 
 @cache
