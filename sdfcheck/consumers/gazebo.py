@@ -309,7 +309,7 @@ class GazeboRobot:
 
 
 def _referred(name: str, kind: str, lengths: Iterable[int]) -> Iterator[str]:
-    """What is between the mark and the kind in the name of a shape of a merged link, if of one of some lengths."""
+    """The names of links between mark and kind in the name of a merged link's shape, if of one of the lengths."""
     for mark in re.finditer(_LUMP, name):
         for length in lengths:
             if name.startswith(f"_{kind}", mark.end() + length):
