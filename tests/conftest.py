@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -16,9 +17,16 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--all-examples",
         action="store_true",
-        help="show consumers and commands every example of every rule, which takes long",
+        help="show consumers and commands every example of every rule and every real file, which takes long",
     )
     parser.addoption("--golden", action="store_true", help="write the expected outputs again")
+
+
+@pytest.fixture(scope="session")
+def stride(request: pytest.FixtureRequest) -> Callable[[int], int]:
+    """How to step through a long list: ``files[:: stride(5)]`` is every fifth, or all with ``--all-examples``."""
+    takes_all = request.config.getoption("--all-examples")
+    return lambda usual: 1 if takes_all else usual
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -32,8 +32,8 @@ def known_documents() -> Iterator[Document]:
             yield document
 
 
-def test_the_canonical_form_is_the_same_to_libsdformat(tmp_path: Path) -> None:
-    given = list(known_documents())
+def test_the_canonical_form_is_the_same_to_libsdformat(tmp_path: Path, stride: Callable[[int], int]) -> None:
+    given = list(known_documents())[:: stride(4)]
     theirs = trees([(document, document.source.text) for document in given], tmp_path)
     ours = trees([(document, canonical(document, CanonicalStyle()).text) for document in given], tmp_path)
     wrong, compared = [], 0
@@ -43,4 +43,4 @@ def test_the_canonical_form_is_the_same_to_libsdformat(tmp_path: Path) -> None:
             compared += 1
             wrong += [f"{document.path}: {one}" for one in differences(their, our)]
     assert wrong == []
-    assert compared >= (LEAST if SHARED.is_dir() else 10)
+    assert compared >= (LEAST if SHARED.is_dir() else 10) // stride(4)
