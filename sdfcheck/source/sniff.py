@@ -207,7 +207,7 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
         return Kind.SRDF
     if name not in _ROOTS and suffix in _SUFFIXES and _is_misspelt(name, suffix, text, start):
         return Kind.MISSPELT_ROOT
-    if ".xacro" in suffixes or _holds(text, ("<xacro:",)):
+    if ".xacro" in suffixes or _uses_xacro(text):
         return Kind.XACRO
     if name in _ROOTS:
         return _ROOTS[name]
@@ -265,6 +265,11 @@ def _holds(text: str, words: tuple[str, ...]) -> bool:
         return False
     bare = _without_comments(text)
     return any(word in bare for word in found)
+
+
+def _uses_xacro(text: str) -> bool:
+    """Whether a tag of xacro is outside of comments, and of values that lack their `&lt;`."""
+    return "<xacro:" in text and re.search(r">[^<>]*<xacro:", _without_comments(text)) is not None
 
 
 def _without_comments(text: str) -> str:
