@@ -16,6 +16,7 @@ from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.values import floats
+from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.mass import automatic
@@ -34,24 +35,6 @@ from sdfcheck.source.wrong_usage import WrongUsage
 _NUMERIC = frozenset(
     ("angle", "color", "double", "float", "pose", "quaternion", "vector2d", "vector2i", "vector3")
 )
-_URDF_NUMERIC = {
-    "axis": ("xyz",),
-    "box": ("size",),
-    "calibration": ("falling", "rising"),
-    "capsule": ("length", "radius"),
-    "color": ("rgba",),
-    "cylinder": ("length", "radius"),
-    "dynamics": ("damping", "friction"),
-    "inertia": ("ixx", "ixy", "ixz", "iyy", "iyz", "izz"),
-    "limit": ("effort", "lower", "upper", "velocity", "acceleration", "jerk"),
-    "mass": ("value",),
-    "mesh": ("scale",),
-    "mimic": ("multiplier", "offset"),
-    "origin": ("xyz", "quat_xyzw"),
-    "safety_controller": ("k_position", "k_velocity", "soft_lower_limit", "soft_upper_limit"),
-    "sphere": ("radius",),
-}
-_URDF_FREE = frozenset(("gazebo", "ros2_control", "transmission"))
 _MOST_ROUNDS = 8
 
 
@@ -78,6 +61,13 @@ class NumberStyle:
             return text
         return " ".join(self.number(value) for value in values)
 
+    def angles(self, text: str) -> str:
+        """Angles in radians; a text that is not made of three numbers stays as it is."""
+        values = floats(text)
+        if values is None or len(values) != 3:
+            return text
+        return " ".join(self.angle(value, degrees=False) for value in values)
+
     def angle(self, value: float, *, degrees: bool) -> str:
         """An angle in degrees or radians, snapped; what comes out stays as it is when it goes in again."""
         text = self.number(value)
@@ -98,15 +88,15 @@ class NumberStyle:
         return float(whole) if degrees else math.radians(whole)
 
 
-def _tidy_sdf(root: Xml, version: Version, style: NumberStyle) -> None:
-    """Rewrite the numbers of an SDF tree wherever the format has numbers; nothing in plugins or custom elements."""
-    waiting: list[tuple[Xml, Definition]] = [(root, schema(version).root)]
+def _tidy(root: Xml, definition: Definition, style: NumberStyle) -> None:
+    """Rewrite the numbers of a tree where its format has numbers; none in plugins, extensions and custom elements."""
+    waiting = [(root, definition)]
     while waiting:
         element, definition = waiting.pop()
         for name, value in element.attributes.items():
             attribute = definition.attributes.get(name)
             if attribute is not None and attribute.type in _NUMERIC:
-                element.attributes[name] = style.numbers(value)
+                element.attributes[name] = style.angles(value) if name == "rpy" else style.numbers(value)
         if definition.type == "pose":
             _tidy_pose(element, definition, style)
         elif definition.type in _NUMERIC and element.content:
@@ -114,20 +104,6 @@ def _tidy_sdf(root: Xml, version: Version, style: NumberStyle) -> None:
         if not definition.open:
             inner = ((child, definition.children.get(child.name)) for child in element.children())
             waiting += [(child, found) for child, found in inner if found is not None]
-
-
-def _tidy_urdf(root: Xml, style: NumberStyle) -> None:
-    """Rewrite the numbers of a URDF tree; nothing in extensions."""
-    for child in root.children():
-        if child.name in _URDF_FREE or ":" in child.name:
-            continue
-        for name in _URDF_NUMERIC.get(child.name, ()):
-            if name in child.attributes:
-                child.attributes[name] = style.numbers(child.attributes[name])
-        angles = floats(child.attributes.get("rpy", "")) if child.name == "origin" else None
-        if angles is not None and len(angles) == 3:
-            child.attributes["rpy"] = " ".join(style.angle(angle, degrees=False) for angle in angles)
-        _tidy_urdf(child, style)
 
 
 def _tidy_pose(pose: Xml, definition: Definition, style: NumberStyle) -> None:
@@ -200,9 +176,9 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
     made = Altered(current)
     assert made.root is not None
     if is_sdf:
-        _tidy_sdf(made.root, survey(current).version, style.numbers)
+        _tidy(made.root, schema(survey(current).version).root, style.numbers)
     else:
-        _tidy_urdf(made.root, style.numbers)
+        _tidy(made.root, urdf(), style.numbers)
     result = with_text(document, render(made.root, made.prolog, made.epilog, keeps_lines=True))
     if style.numbers.snap is None and style.numbers.precision is None:
         _verify(document, result)
