@@ -62,7 +62,7 @@ def _with_values(diagnostic: Diagnostic, file: Document) -> Diagnostic:
         at = f"line {place.begin.line}"
         if place.source.path != span.source.path:
             at = f"{place.source.path.name}:{place.begin.line}"
-        given = f"`{text}`" if "$" in text else text
+        given = f"`{text}`" if "$" in text else text or '""'
         code += f", set at {at}" if name == span.text else f", with `{name}` = {given} set at {at}"
     known = {label.span for label in diagnostic.labels}
     labels = [Label(each.span, f"`{each.name}` is set here") for each in found if each.span not in known]

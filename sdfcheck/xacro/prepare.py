@@ -140,16 +140,21 @@ def expand_as_launched(
     expand: Callable[[Document, Mapping[str, str]], Expansion],
     arguments: Mapping[str, str],
 ) -> Expansion:
-    """An expansion; where arguments lack values, one with what a launch file of the project gives."""
+    """An expansion; where it needs other arguments, one with what a launch file of the project gives."""
     whole = expand(document, arguments)
-    if any(_is_missing_argument(problem) for problem in whole.problems):
+    if _needs_arguments(whole):
         from sdfcheck.xacro.static.launches import launched_arguments
 
         for launched in launched_arguments(document):
             expansion = expand(document, {**launched, **arguments})
-            if not any(_is_missing_argument(problem) for problem in expansion.problems):
+            if not _needs_arguments(expansion):
                 return expansion
     return whole
+
+
+def _needs_arguments(expansion: Expansion) -> bool:
+    """Does a file lack arguments, or is it refused with the defaults, which may be meant to be replaced?"""
+    return expansion.document is None or any(map(_is_missing_argument, expansion.problems))
 
 
 def _is_missing_argument(problem: Problem) -> bool:

@@ -3,8 +3,8 @@
 Launch files of ROS 1 and ROS 2 in XML hold a command line (``xacro FILE name:=value``), in which arguments of
 the launch file (``$(arg name)``, ``$(var name)``) have their defaults. Those in Python make one of substitutions
 (``Command(["xacro ", PathJoinSubstitution([...]), " name:=", LaunchConfiguration("name")])``), or call
-``xacro.process_file(FILE, mappings={...})``; they are read as syntax trees. Where a value is not known, the
-argument is left out.
+``xacro.process_file(FILE, mappings={...})``; they are read as syntax trees. A launch file gives arguments to
+those that it includes. Where a value is not known, the argument is left out.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from html import unescape
 from pathlib import Path
+from typing import Protocol
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
@@ -25,6 +26,9 @@ from sdfcheck.xacro.language import LONGEST_CODE, syntax_tree
 _SUFFIXES = ("launch", "launch.xml", "launch.py")
 _FILE_LIMIT = 500
 """So many launch files of each kind are read."""
+_INCLUDES_DEEP = 4
+_MOST_INCLUDED = 2_000
+"""So many times launch files of a project are read on behalf of those that include them."""
 _MOST = 8
 """So many sets of arguments of one file are kept."""
 _DEEPEST = 30
@@ -38,15 +42,16 @@ _STEPS = 20_000
 _UNKNOWN = "\0"
 _VALUE = re.compile(r"=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _DECLARED = re.compile(r"<(?:arg|let)\b([^<>]*)>")
-_ATTRIBUTE = re.compile(r"\b(name|default|value)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_INCLUDE = re.compile(r"<include\b([^<>]*?)(?:/>|>(.*?)</include>)", re.DOTALL)
+_ATTRIBUTE = re.compile(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _REFERENCE = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
-_FOUND = re.compile(r"\$\(find[^()]*\)")
+_PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
 _OTHER = re.compile(r"\$\((?!command\b)[^()]*\)")
 _GIVEN = re.compile(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
 
 
 class _Use(NamedTuple):
-    """The name of a file that is expanded, and what it is given."""
+    """The name of a file that is expanded, or included, and what it is given."""
 
     file: str
     arguments: Mapping[str, str]
@@ -65,49 +70,61 @@ def launched_arguments(document: Document) -> tuple[Mapping[str, str], ...]:
     return tuple(found[:_MOST])
 
 
+class _Launch(Protocol):
+    """A launch file, whose text has been read; both methods take the arguments that it is given."""
+
+    def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        """The xacro files that it expands."""
+
+    def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        """The launch files that it includes."""
+
+
 class _Launches:
     """The uses of xacro files in the launch files of a project, by the names of the files."""
 
-    __slots__ = ("uses",)
+    __slots__ = ("_left", "_packages", "uses")
 
     def __init__(self, packages: Packages) -> None:
         self.uses: dict[str, list[Mapping[str, str]]] = {}
+        self._packages = packages
+        self._left = _MOST_INCLUDED
+        launches: dict[str, _Launch] = {}
         for suffix in _SUFFIXES:
             for path in packages.files(suffix, _FILE_LIMIT):
-                for use in _uses(path):
-                    self.uses.setdefault(use.file, []).append(use.arguments)
+                launch = self._read(path)
+                if launch is not None:
+                    launches.setdefault(path.name, launch)
+        for launch in launches.values():
+            for use in self._uses(launch, {}, launches, 0):
+                self.uses.setdefault(use.file, []).append(use.arguments)
 
+    def _read(self, path: Path) -> _Launch | None:
+        try:
+            text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
+        except OSError:
+            return None
+        if path.suffix != ".py":
+            return _Xml(text, self._resolved, is_ros_1=path.suffix == ".launch")
+        return _Python.read(text, self._resolved)
 
-def _uses(path: Path) -> Iterator[_Use]:
-    try:
-        text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
-    except OSError:
-        return
-    if "xacro" in text:
-        yield from _in_python(text) if path.suffix == ".py" else _in_xml(text)
+    def _uses(
+        self, launch: _Launch, given: Mapping[str, str], launches: Mapping[str, _Launch], depth: int
+    ) -> Iterator[_Use]:
+        yield from launch.uses(given)
+        for inner in launch.included(given) if depth < _INCLUDES_DEEP else ():
+            if inner.file in launches and self._left > 0:
+                self._left -= 1
+                yield from self._uses(launches[inner.file], inner.arguments, launches, depth + 1)
 
+    def _resolved(self, text: str) -> str:
+        """A text with the folders of packages in it; what is not known is one character."""
 
-def _in_xml(text: str) -> Iterator[_Use]:
-    declared: dict[str, str] = {}
-    for match in _DECLARED.finditer(text):
-        given = {key: unescape(double or single) for key, double, single in _ATTRIBUTE.findall(match[1])}
-        value = given.get("value", given.get("default"))
-        if "name" in given and value is not None and len(value) <= _LONGEST_VALUE:
-            declared[given["name"]] = value
+        def folder(match: re.Match[str]) -> str:
+            found = self._packages.find(match[1])
+            return _UNKNOWN if found is None else str(found)
 
-    def known(text: str) -> str:
-        for _ in range(_DEEPEST):
-            if len(text) > _LONGEST:
-                return _UNKNOWN
-            text, changed = _REFERENCE.subn(lambda match: declared.get(match[1], _UNKNOWN), text)
-            if not changed:
-                break
-        return text
-
-    for double, single in _VALUE.findall(text):
-        command = unescape(double or single)
-        if "xacro" in command:
-            yield from _of_command(_OTHER.sub(_UNKNOWN, _FOUND.sub("", known(command))))
+        return _OTHER.sub(_UNKNOWN, _PACKAGE.sub(folder, text))
 
 
 def _of_command(command: str) -> Iterator[_Use]:
@@ -120,25 +137,86 @@ def _of_command(command: str) -> Iterator[_Use]:
         yield _Use(file, {name: value.rstrip(")'\"") for name, value in given if _UNKNOWN not in value})
 
 
+class _Xml:
+    """A launch file in XML. In ROS 2 an included file knows all arguments, in ROS 1 those that it is given."""
+
+    __slots__ = ("_declared", "_includes", "_is_ros_1", "_resolved", "_values")
+
+    def __init__(self, text: str, resolved: Callable[[str], str], *, is_ros_1: bool) -> None:
+        self._resolved = resolved
+        self._is_ros_1 = is_ros_1
+        self._includes = [(_attributes(match[1]), match[2] or "") for match in _INCLUDE.finditer(text)]
+        own = _INCLUDE.sub("", text)
+        self._declared = [_attributes(match[1]) for match in _DECLARED.finditer(own)]
+        commands = (unescape(double or single) for double, single in _VALUE.findall(own))
+        self._values = [command for command in commands if "xacro" in command]
+
+    def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        values = self._arguments(given)
+        for command in self._values:
+            yield from _of_command(self._text(command, values))
+
+    def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        values = self._arguments(given)
+        for attributes, content in self._includes:
+            file = self._text(attributes.get("file", ""), values).rpartition("/")[2]
+            is_told_all = not self._is_ros_1 or attributes.get("pass_all_args") == "true"
+            passed = dict(values) if is_told_all else {}
+            for match in _DECLARED.finditer(content):
+                one = _attributes(match[1])
+                if "name" in one and "value" in one:
+                    passed[one["name"]] = self._text(one["value"], values)
+            yield _Use(file, {name: value for name, value in passed.items() if _UNKNOWN not in value})
+
+    def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
+        found = dict(given)
+        for one in self._declared:
+            name, value = one.get("name"), one.get("value", one.get("default"))
+            if name is not None and value is not None and ("value" in one or name not in given):
+                found[name] = value if len(value) <= _LONGEST_VALUE else _UNKNOWN
+        return found
+
+    def _text(self, text: str, values: Mapping[str, str]) -> str:
+        for _ in range(_DEEPEST):
+            if len(text) > _LONGEST:
+                return _UNKNOWN
+            text, changed = _REFERENCE.subn(lambda match: values.get(match[1], _UNKNOWN), text)
+            if not changed:
+                break
+        return self._resolved(text)
+
+
+def _attributes(text: str) -> dict[str, str]:
+    return {key: unescape(double or single) for key, double, single in _ATTRIBUTE.findall(text)}
+
+
 # Launch files in Python.
 
 
-def _in_python(text: str) -> Iterator[_Use]:
-    try:
-        tree = syntax_tree(text, "exec")
-        calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
-        program = _Program(tree, calls)
-        uses = [use for call in calls for use in program.uses(call)]
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return
-    yield from uses
+_WRAPPERS = frozenset(
+    (
+        "AnyLaunchDescriptionSource",
+        "FindExecutable",
+        "ParameterValue",
+        "PythonLaunchDescriptionSource",
+        "TextSubstitution",
+        "XMLLaunchDescriptionSource",
+        "str",
+    )
+)
+"""Calls that give the text of what they are given."""
 
 
-class _Program:
-    """The values of the names in a launch file, as far as its text alone says them."""
+class _Python:
+    """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    def __init__(self, tree: ast.AST, calls: list[ast.Call]) -> None:
+    __slots__ = ("_calls", "_defaults", "_given", "_resolved", "_steps", "_values")
+
+    def __init__(self, tree: ast.AST, resolved: Callable[[str], str]) -> None:
+        self._resolved = resolved
         self._steps = _STEPS
+        self._given: Mapping[str, str] = {}
+        self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         self._values: dict[str, ast.expr] = {}
         for node in ast.walk(tree):
             if (
@@ -148,34 +226,66 @@ class _Program:
             ):
                 self._values.setdefault(node.targets[0].id, node.value)
         self._defaults: dict[str, ast.expr] = {}
-        for call in calls:
+        for call in self._calls:
             if _called(call) == "DeclareLaunchArgument":
                 named = {keyword.arg: keyword.value for keyword in call.keywords}
                 name = call.args[0] if call.args else named.get("name")
                 if isinstance(name, ast.Constant) and "default_value" in named:
                     self._defaults.setdefault(str(name.value), named["default_value"])
 
-    def uses(self, call: ast.Call) -> Iterator[_Use]:
-        name = _called(call)
-        if name == "Command" and call.args:
-            yield from _of_command(self.text(call.args[0]))
-        elif name in {"process_file", "process"} and call.args:
-            file = self.text(call.args[0]).rpartition("/")[2]
-            mappings = next((each.value for each in call.keywords if each.arg == "mappings"), None)
-            mappings = self._values.get(mappings.id) if isinstance(mappings, ast.Name) else mappings
-            if file and isinstance(mappings, ast.Dict):
-                given = zip(mappings.keys, mappings.values, strict=True)
-                texts = {self.text(key): self.text(value) for key, value in given if key is not None}
-                yield _Use(file, {key: value for key, value in texts.items() if _UNKNOWN not in key + value})
+    @classmethod
+    def read(cls, text: str, resolved: Callable[[str], str]) -> _Python | None:
+        """The launch file of a text, None if it cannot be read."""
+        try:
+            return cls(syntax_tree(text, "exec"), resolved)
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
 
-    def text(self, node: ast.expr, depth: int = 0) -> str:
+    def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        self._given = given
+        for call in self._calls:
+            name = _called(call)
+            if name == "Command" and call.args:
+                yield from _of_command(self._resolved(self._text(call.args[0])))
+            elif name in {"process_file", "process"} and call.args:
+                mappings = next((each.value for each in call.keywords if each.arg == "mappings"), None)
+                if mappings is not None:
+                    yield from self._of_pairs(call.args[0], mappings, {})
+
+    def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
+        self._given = given
+        for call in self._calls:
+            if _called(call) == "IncludeLaunchDescription" and call.args:
+                passed = next((each.value for each in call.keywords if each.arg == "launch_arguments"), None)
+                known = {name: self._resolved(self._text(value)) for name, value in self._defaults.items()}
+                yield from self._of_pairs(call.args[0], passed or ast.Dict([], []), {**known, **given})
+
+    def _of_pairs(self, file: ast.expr, pairs: ast.expr, known: Mapping[str, str]) -> Iterator[_Use]:
+        """The use of a file with ``known`` arguments and those of a dictionary, or of its items."""
+        name = self._text(file).rpartition("/")[2]
+        if (
+            isinstance(pairs, ast.Call)
+            and isinstance(pairs.func, ast.Attribute)
+            and pairs.func.attr == "items"
+        ):
+            pairs = pairs.func.value
+        if isinstance(pairs, ast.Name):
+            pairs = self._values.get(pairs.id, pairs)
+        if name and _UNKNOWN not in name and isinstance(pairs, ast.Dict):
+            both = zip(pairs.keys, pairs.values, strict=True)
+            texts = {
+                self._text(key): self._resolved(self._text(value)) for key, value in both if key is not None
+            }
+            yield _Use(name, {k: v for k, v in {**known, **texts}.items() if _UNKNOWN not in k + v})
+
+    def _text(self, node: ast.expr, depth: int = 0) -> str:
         """The text that an expression or substitution gives; unknown parts are one character."""
         self._steps -= 1
         if depth > _DEEPEST or self._steps < 0:
             return _UNKNOWN
 
         def inner(node: ast.expr) -> str:
-            return self.text(node, depth + 1)
+            return self._text(node, depth + 1)
 
         found = _UNKNOWN
         if isinstance(node, ast.Constant):
@@ -199,16 +309,17 @@ class _Program:
         named = {keyword.arg: keyword.value for keyword in call.keywords}
         given = [*call.args, *named.values()]
         if name == "LaunchConfiguration" and given:
-            default = self._defaults.get(inner(given[0]), named.get("default"))
-            return _UNKNOWN if default is None else inner(default)
+            wanted = inner(given[0])
+            default = self._defaults.get(wanted, named.get("default"))
+            return self._given.get(wanted, _UNKNOWN if default is None else inner(default))
         if name == "PathJoinSubstitution" and given and isinstance(given[0], ast.List | ast.Tuple):
             return "/".join(map(inner, given[0].elts))
         if name in {"join", "Path"}:  # of os.path
             return "/".join(map(inner, call.args))
-        if name in {"TextSubstitution", "str", "ParameterValue"} and given:
+        if name in _WRAPPERS and given:
             return inner(given[0])
-        if name in {"FindExecutable", "FindPackageShare", "get_package_share_directory"} and given:
-            return inner(given[0])
+        if name in {"FindPackageShare", "get_package_share_directory"} and given:
+            return f"$(find {inner(given[0])})"
         return _UNKNOWN
 
 

@@ -86,6 +86,96 @@ def test_the_robot_is_expanded_as_it_is_launched(
     assert not (package / "ran").exists()
 
 
+COMMON = ROS_1.replace('<arg name="s" default="right"/>', '<arg name="s"/>')
+INCLUDING = {
+    "all": (
+        "common.launch",
+        COMMON,
+        "right.launch",
+        """<launch>
+  <arg name="s" value="right"/>
+  <include file="$(find bot)/launch/common.launch" pass_all_args="true"/>
+</launch>
+""",
+    ),
+    "one": (
+        "common.launch",
+        COMMON,
+        "right.launch",
+        """<launch>
+  <arg name="which" default="common"/>
+  <include file="$(find bot)/launch/$(arg which).launch">
+    <arg name="s" value="right"/>
+  </include>
+</launch>
+""",
+    ),
+    "ROS 2": (
+        "common.launch.xml",
+        ROS_2.replace('<arg name="s" default="right"/>', '<arg name="s"/>'),
+        "right.launch.xml",
+        """<launch>
+  <let name="s" value="right"/>
+  <include file="$(find-pkg-share bot)/launch/common.launch.xml"/>
+</launch>
+""",
+    ),
+    "Python": (
+        "common.launch.py",
+        PYTHON.replace('"right"', 'LaunchConfiguration("s")'),
+        "right.launch.py",
+        """
+arguments = {"s": LaunchConfiguration("where")}
+declared = DeclareLaunchArgument("where", default_value="right")
+source = PythonLaunchDescriptionSource(
+    PathJoinSubstitution([FindPackageShare("bot"), "launch", "common.launch.py"]))
+launch = IncludeLaunchDescription(source, launch_arguments=arguments.items())
+""",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", INCLUDING)
+def test_a_launch_file_gives_arguments_to_those_that_it_includes(
+    package: Path, capsys: pytest.CaptureFixture[str], case: str
+) -> None:
+    name, text, other, including = INCLUDING[case]
+    (package / "launch" / name).write_text(text)
+    assert "argument `side` has no value" in found(capsys)[0]
+    (package / "launch" / other).write_text(including)
+    (message,) = found(capsys)
+    assert message.endswith("error: no joint ties link `gripper` to the rest of the robot [URD004]")
+
+
+def test_a_launch_file_may_include_itself(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    include = '<include file="a.launch" pass_all_args="true"/>'
+    (package / "launch" / "a.launch").write_text(f"<launch>{include}{include}{include}</launch>")
+    assert "argument `side` has no value" in found(capsys)[0]
+
+
+NEEDS_FILE = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="sizes" default=""/>
+  <xacro:property name="size" value="${xacro.load_yaml('$(arg sizes)')}"/>
+  <link name="${size['base']}"/>
+</robot>
+"""
+GIVES_FILE = """<launch>
+  <arg name="sizes" default="$(find bot)/config/sizes.yaml"/>
+  <param name="robot_description" command="xacro '$(find bot)/urdf/bot.urdf.xacro' sizes:=$(arg sizes)"/>
+</launch>
+"""
+
+
+def test_a_default_that_is_not_used_as_it_is(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Also, packages in the arguments of a launch file are found."""
+    (package / "urdf" / "bot.urdf.xacro").write_text(NEEDS_FILE)
+    (package / "config").mkdir()
+    (package / "config" / "sizes.yaml").write_text("base: b\n")
+    assert "[XAC001]" in found(capsys)[0]
+    (package / "launch" / "bot.launch").write_text(GIVES_FILE)
+    assert found(capsys) == []
+
+
 @pytest.mark.parametrize(
     ("name", "text"),
     [
