@@ -160,8 +160,8 @@ class _Xml:
         values = self._arguments(given)
         for attributes, content in self._includes:
             file = self._text(attributes.get("file", ""), values).rpartition("/")[2]
-            is_told_all = not self._is_ros_1 or attributes.get("pass_all_args") == "true"
-            passed = dict(values) if is_told_all else {}
+            has_all = not self._is_ros_1 or attributes.get("pass_all_args") == "true"
+            passed = dict(values) if has_all else {}
             for match in _DECLARED.finditer(content):
                 one = _attributes(match[1])
                 if "name" in one and "value" in one:
