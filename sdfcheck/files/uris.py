@@ -120,10 +120,8 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
         return Location(scheme, None)
     disk = around.disk
     rest = text[match.end() :] if match else text
-    if scheme == "file":
-        return _first(disk, scheme, (around.folder,), file_path(text))
     name, _, inside = rest.partition("/")
-    if scheme:
+    if scheme in SEARCHED_SCHEMES:
         owners = _owners(document, scheme, name, around)
         found = _first(disk, scheme, owners.there or owners.near, inside)
         if not owners.there:
@@ -131,11 +129,13 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
             near = found.path or found.near
             return Location(scheme, None, owners.tried, inside, near, name)
         return found._replace(name=name, owner=Path(owners.there[0]))
-    beside = os.path.join(around.folder, rest)
-    if disk.has(beside):
-        return Location(scheme, Path(beside))
+    path = file_path(text) if scheme else rest
+    beside = os.path.join(around.folder, path)
+    if os.path.isabs(path) or disk.has(beside):
+        return _first(disk, scheme, (beside,))
+    # What is not beside the file is looked for among the models, as `file://name`, too.
     models = _owners(document, "model", name, around).tried
-    return _first(disk, "", (beside, *(os.path.join(model, inside) for model in models)))
+    return _first(disk, scheme, (beside, *(os.path.join(model, inside) for model in models)))
 
 
 def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -> _Owners:

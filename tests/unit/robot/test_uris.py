@@ -29,6 +29,8 @@ def value(text: str) -> Value:
         ("model://arm/mesh.dae", "arm/mesh.dae"),
         ("model://lamp/lamp.sdf", "models/lamp/lamp.sdf"),
         ("lamp", "models/lamp"),
+        ("file://lamp", "models/lamp"),
+        ("file://lamp/lamp.sdf", "models/lamp/lamp.sdf"),
         ("package://arm/mesh.dae", "arm/mesh.dae"),
         ("package://worlds/near.dae", "worlds/near.dae"),
         ("model://faraway/far.sdf", "elsewhere/faraway/far.sdf"),
