@@ -13,6 +13,7 @@ import numpy as np
 from lxml import etree
 
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask_all
+from sdfcheck.consumers.engines.behavior import ALIKE
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.loss import FindingKind, NotConvertible
 from sdfcheck.files.library import library_of
@@ -23,10 +24,13 @@ from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.document import read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from sdfcheck.robot.graph import Model
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
@@ -60,6 +64,7 @@ class SimKind(FindingKind):
     )
     ENGINES_DISAGREE = "SIM010 Two simulators let the robot fall differently."
     LEFT_OUT = "SIM011 A part of the robot is not simulated, as the simulator cannot read it."
+    CONVERSION_DIFFERS = "SIM012 The robot falls differently when it comes back from SDFormat."
 
     @property
     def is_grave(self) -> bool:
@@ -154,6 +159,7 @@ def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progres
         yield from trial.findings()
         if trial.measured:
             runs[engine] = trial.measured
+            yield from trial.compared_with_conversion()
     yield from _disagreements(subject, runs)
 
 
@@ -188,6 +194,22 @@ class Subject:
             }
 
     @cached_property
+    def returned(self) -> str | None:
+        """What comes back when URDF is converted to SDFormat; None of SDFormat, and where that is refused."""
+        from sdfcheck.convert.sdf_to_urdf import convert
+        from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
+        from sdfcheck.convert.urdf_to_sdf.options import Options
+
+        if self.converted:
+            return None
+        try:
+            there = urdf_to_sdf(self.document, Options(), verified=False)
+            result = read(there.text.encode("utf-8", "surrogateescape"), self.document.path, Kind.SDF)
+            return convert(result, verified=False).text
+        except NotConvertible:
+            return None
+
+    @cached_property
     def groups(self) -> dict[str, str]:
         """Link → the first of the links that are rigidly connected with it."""
         group = {name: name for name in (*self.robot.links, "world")}
@@ -201,6 +223,15 @@ class Subject:
             if not joint.moves and joint.parent in group and joint.child in group:
                 group[top(joint.child)] = top(joint.parent)
         return {name: top(name) for name in group}
+
+    @cached_property
+    def has_massless_movers(self) -> bool:
+        """Do links without mass move?"""
+        held = {self.groups[name] for name in ("world", *self.robot.roots()) if name in self.groups}
+        return any(
+            (link.body is None or not link.body.mass) and self.groups[name] not in held
+            for name, link in self.robot.links.items()
+        )
 
     @cached_property
     def neighbors(self) -> set[frozenset[str]]:
@@ -280,27 +311,27 @@ class Trial:
         """Links whose collision meshes are not simulated, and why."""
         name = f"{subject.document.path.name.partition('.')[0] or 'robot'}.urdf"
         self.path = stage.write("", name)
-        self.path.write_text(self._prepared(), encoding="utf-8", errors="surrogateescape")
+        self._write(self.path, subject.text)
 
-    def _prepared(self) -> str:
-        """The URDF that the simulator gets: no visuals, meshes by absolute paths, nothing merged."""
+    def _write(self, path: Path, text: str) -> None:
+        """Write the URDF that the simulator gets: no visuals, meshes by absolute paths, nothing merged."""
         tree = etree.fromstring(
-            self.subject.text.encode("utf-8", "surrogateescape"),
+            text.encode("utf-8", "surrogateescape"),
             etree.XMLParser(resolve_entities=False, no_network=True, recover=True),
         )
         for link in tree.iterfind("link"):
             for visual in link.findall("visual"):
                 link.remove(visual)
             for collision in link.findall("collision"):
-                reason = self._unreadable(collision)
+                reason = self._unreadable(collision, path.parent)
                 if reason:
                     link.remove(collision)
                     self.left_out.append((link.get("name", ""), reason))
         if self.engine is Engine.MUJOCO:
             self._set_compiler(tree)
-        return etree.tostring(tree, encoding="unicode")
+        path.write_text(etree.tostring(tree, encoding="unicode"), encoding="utf-8", errors="surrogateescape")
 
-    def _unreadable(self, collision: Any) -> str:
+    def _unreadable(self, collision: Any, folder: Path) -> str:
         """Finds the mesh of a collision; says why it cannot be simulated."""
         for mesh in collision.iter("mesh"):
             uri = mesh.get("filename", "").strip()
@@ -309,7 +340,7 @@ class Trial:
                 return f"`{uri}` is not found"
             if path.suffix.lower() not in _MESHES[self.engine]:
                 return f"{self.title} does not read a `{path.suffix}` file"
-            place = self.path.parent / f"{len(list(self.path.parent.iterdir()))}-{path.name}"
+            place = folder / f"{len(list(folder.iterdir()))}-{path.name}"
             try:
                 os.symlink(path.resolve(), place)
             except OSError:
@@ -375,6 +406,32 @@ class Trial:
         if answers[0].outcome is Outcome.MISSING:
             raise MissingEngine(f"{self.title} is not installed: {answers[0].error}")
         return answers
+
+    def compared_with_conversion(self) -> Iterator[Diagnostic]:
+        """Whether the robot falls as it did when it has been SDFormat, where nothing touches.
+
+        Links without mass, to which simulators give one as they like, are not those that come back.
+        """
+        before = self.measured["fall"].get("early")
+        is_comparable = len(self.subject.robot.roots()) == 1 and not self.subject.has_massless_movers
+        if self.measured["overlaps"] or not before or not is_comparable or self.subject.returned is None:
+            return
+        path = self.stage.write("", self.path.name)
+        self._write(path, self.subject.returned)
+        settings = {"seconds": ALIKE, "time_step": TIME_STEP, "experiments": ["fall"]}
+        (answer,) = ask_all(self.engine, [Question(path, "behave", settings)], self.settings.limits)
+        model = self.subject.model
+        if not answer.is_accepted or answer.error:
+            text = f"model `{model.name}`: {self.title} does not load what comes back from SDFormat: {answer.error}"
+            yield self._found(SimKind.CONVERSION_DIFFERS, model.element, text, "warning")
+            return
+        name, apart = _farthest(before, answer.result["fall"].get("early", {}))
+        if apart > _APART * self.subject.size + 0.005:
+            text = (
+                f"is {_length(apart)} elsewhere after {ALIKE:g} s in {self.title} when the robot was SDFormat "
+                "in between: `sdfcheck convert` says what was changed"
+            )
+            yield self._at_link(SimKind.CONVERSION_DIFFERS, self._name(name), text)
 
     def _refused(self, answer: Answer) -> Diagnostic:
         why = answer.error.replace(str(self.path), self.subject.document.path.name)

@@ -123,6 +123,8 @@ def split_capsules(migration: Migration) -> None:
         radius, length = _size(capsule, "radius"), _size(capsule, "length")
         if owner is None or owner.name not in _OWNERS or radius is None or length is None:
             continue
+        if owner.find("geometry/capsule") is not capsule:
+            continue  # nobody reads it
         try:
             at = written_pose(migration.draft.element(owner).find("pose"))
         except PoseError:

@@ -9,6 +9,7 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.consumers.engines import SIMULATORS, Engine, is_installed
+from sdfcheck.convert.simulation import Subject
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"
 pytestmark = pytest.mark.peers
@@ -166,6 +167,21 @@ def test_a_robot_of_our_own_in_all_simulators(capsys: pytest.CaptureFixture[str]
     file = str(ROBOTS / "desk_arm" / "desk_arm.urdf")
     assert main(["simulate", file, "--isolated", "--in", "mujoco,drake"]) == 0
     assert "All clear" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_robot_that_falls_differently_after_a_conversion(
+    engine: Engine, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tilted = arm().replace('xyz="0 1 0"', 'xyz="1 0 0"')
+    monkeypatch.setattr(Subject, "returned", tilted)
+    (found,) = findings(arm(), engine, tmp_path, capsys)
+    assert found["code"] == "SIM012"
+    assert found["message"].startswith("link `tool` is ")
+    assert "when the robot was SDFormat in between" in found["message"]
+    monkeypatch.setattr(Subject, "returned", arm().replace('child link="tool"', 'child link="nothing"'))
+    (found,) = findings(arm(), engine, tmp_path, capsys)
+    assert "does not load what comes back from SDFormat" in found["message"]
 
 
 def test_wrong_usage(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
