@@ -195,7 +195,7 @@ class Subject:
 
     @cached_property
     def returned(self) -> str | None:
-        """What comes back when URDF is converted to SDFormat; None of SDFormat, and where that is refused."""
+        """The robot that comes back when URDF is converted to SDFormat; None of SDFormat, and where that is refused."""
         from sdfcheck.convert.sdf_to_urdf import convert
         from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
         from sdfcheck.convert.urdf_to_sdf.options import Options
