@@ -189,10 +189,11 @@ class _Trials:
 
     def _after(self, before: _Linted, fixes: Sequence[Fix]) -> _Linted:
         """The text after the fixes; raises Refused where that is worse."""
-        file, data = before.file, edited(before.file, together(fixes)[0])
+        file, data, document = before.file, *_edited(before.file, before.document, together(fixes)[0])
         self._left -= 1
         kind = sniff(data, file.path) if file.kind in _GUESSED else file.kind
-        after = _Linted.of(file._replace(data=data, kind=kind), self._lint)
+        file = file._replace(data=data, kind=kind)
+        after = _Linted(file, document if kind is before.file.kind else _read(file), *self._lint(file))
         if _lost_directives(before, after, fixes):
             raise Refused("the edits would take away a comment for sdfcheck")
         if brought := _brought(before, after):
@@ -295,17 +296,22 @@ def _allowed(fix: Fix, unsafe: bool) -> bool:
 
 def edited(file: Selected, edits: Sequence[TextEdit]) -> bytes:
     """The bytes after the edits; raises Refused where they are worse than before."""
+    return _edited(file, _read(file), edits)[0]
+
+
+def _edited(file: Selected, before: Document, edits: Sequence[TextEdit]) -> tuple[bytes, Document]:
+    """The bytes of a document after the edits, and what they read as; raises Refused where they are worse."""
     pieces = [(*_range(edit), edit.text) for edit in edits]
     try:
         result = splice(file.data, pieces)
     except Unwritable as error:
         raise Refused(str(error)) from None
-    before, after = _read(file), _read(file._replace(data=result))
+    after = _read(file._replace(data=result))
     if after.source.text != replaced(before.source.text, pieces):
         raise Refused("the edits would change how its other characters are read")
     if _is_worse(before, after):
         raise Refused("the edits would break it")
-    return result
+    return result, after
 
 
 def _read(file: Selected) -> Document:
