@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -277,6 +278,7 @@ def test_the_examples_of_the_manual_run(
     assert str(caught.value).replace(place, "") in MANUAL.read_text(encoding="utf-8")
 
 
+@pytest.mark.skipif(version("mypy").startswith("1."), reason="mypy 2 is needed")
 def test_the_examples_of_the_manual_have_sound_types(tmp_path: Path) -> None:
     script = tmp_path / "manual.py"
     script.write_text(examples_of_the_manual(), encoding="utf-8")
