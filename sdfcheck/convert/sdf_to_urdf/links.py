@@ -125,20 +125,20 @@ def keep_extras(context: Context, link: Link, role: str, parts: list[Element]) -
     meant = [[_canonical(extra) for extra in extras] for extras in each]
     if any(other != meant[0] for other in meant[1:]):
         return False
+    kept = ", ".join(f"`{extra.name}`" for extra in each[0])
     if script := _script(each[0]):
+        kept = f"material `{script}`"
         context.blob(context.links[link.name]).add("material", script)
         for extra in (extra for extras in each for extra in extras):
             context.ledger.take(extra)
             for one in extra.children("script"):
                 context.ledger.take_whole(one)
-        return True
-    blob = context.blob(context.links[link.name]).add(role)
-    blob.extend(*map(copied, each[0]))
-    for extra in (extra for extras in each for extra in extras):
-        context.ledger.copy(extra)
-    names = ", ".join(f"`{extra.name}`" for extra in each[0])
+    else:
+        context.blob(context.links[link.name]).add(role).extend(*map(copied, each[0]))
+        for extra in (extra for extras in each for extra in extras):
+            context.ledger.copy(extra)
     message = (
-        f"{names} of the {role}s of {link.element.title} is kept for libsdformat alone, and costs their names"
+        f"{kept} of the {role}s of {link.element.title} is kept for libsdformat alone, and costs their names"
     )
     context.ledger.note(LossKind.KEPT_AS_EXTENSION, each[0][0], message, Severity.INFO)
     return True
