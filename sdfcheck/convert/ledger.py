@@ -296,7 +296,7 @@ class Ledger:
         elif self._words is not None and element.name not in self._words:
             kind = _KINDS.get(element.name, LossKind.DROPPED_ELEMENT)
             self.lose(kind, element, f"{self._target} has no {shown(element)}")
-        elif is_named(element) and not element.get("name"):
+        elif is_named(element) and not element.text_of("name", "").strip():
             text = f"{shown(element)} is left out: it has no name"
             self.lose(LossKind.DROPPED_ELEMENT, element, text)
         elif any(each.name == element.name for each in element.before):
