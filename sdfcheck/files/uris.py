@@ -133,7 +133,7 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
     beside = os.path.join(around.folder, path)
     if os.path.isabs(path) or disk.has(beside):
         return _first(disk, scheme, (beside,))
-    # What is not beside the file is looked for among the models, as `file://name`, too.
+    # Else it is looked for among the models, as Gazebo does for any scheme.
     models = _owners(document, "model", name, around).tried
     return _first(disk, scheme, (beside, *(os.path.join(model, inside) for model in models)))
 

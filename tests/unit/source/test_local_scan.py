@@ -47,7 +47,8 @@ PIECES = [
 
 def what(scan: Scan) -> tuple[object, ...]:
     """All that a scan says; blanks in tags that are written anew do not count."""
-    tree = etree.tostring(etree.fromstring(scan.wellformed.encode()), method="c14n")
+    parser = etree.XMLParser(recover=True)  # to which `gz::sim::X` is no name
+    tree = etree.tostring(etree.fromstring(scan.wellformed.encode(), parser), method="c14n")
     places = scan.starts, scan.ends, scan.closes, scan.close_ends
     return scan.problems, places, scan.comments, scan.odd, sorted(scan.doubtful), tree
 
