@@ -18,6 +18,19 @@ from sdfcheck import (
 )
 
 SENSOR = '<sensor name="{}" type="imu"><topic>{}</topic></sensor>'
+CAMERAS = (
+    "boundingbox_camera",
+    "camera",
+    "depth",
+    "depth_camera",
+    "segmentation_camera",
+    "thermal",
+    "thermal_camera",
+)
+CAMERA = (
+    '<sensor name="{}" type="camera"><topic>{}</topic><camera><horizontal_fov>{}</horizontal_fov>'
+    "<image><width>640</width><height>480</height></image></camera></sensor>"
+)
 MOTOR = (
     '<plugin filename="gz-sim-multicopter-motor-model-system" name="gz::sim::systems::MulticopterMotorModel">'
     "<jointName>r</jointName><linkName>base</linkName><commandSubTopic>c</commandSubTopic>"
@@ -34,8 +47,10 @@ NUMBERS = ("actuator_number", "motorNumber")
 class ContestedTopic(Rule):
     """Two sensors of a robot publish on one topic, or two of its motors have one number.
 
-    The messages of both sensors come mixed on the topic, of one type or of two. Motors take their speed from a list, by
-    their number: both turn alike, and the speed that was meant for the second goes nowhere.
+    The messages of both sensors come mixed on the topic, of one type or of two. A camera also publishes its
+    calibration, on `camera_info` beside its topic: `front` and `back` have one `camera_info`, and `front/image` has its
+    own. Motors take their speed from a list, by their number: both turn alike, and the speed that was meant for the
+    second goes nowhere.
     """
 
     code = "GAZ015"
@@ -57,6 +72,10 @@ class ContestedTopic(Rule):
             says="sensor `back` publishes on topic `imu`, as sensor `front` does",
         ),
         Bad(
+            CAMERA.format("a", "front", "1") + CAMERA.format("b", "«back»", "1.5"),
+            says="sensor `b` publishes its calibration on `camera_info`, as sensor `a` does",
+        ),
+        Bad(
             ROTOR + MOTOR.format("0") + MOTOR.format("«0»"),
             scaffold=IN_MODEL,
             says="motor number 0 is given before",
@@ -64,6 +83,11 @@ class ContestedTopic(Rule):
     )
     good = (
         Good(SENSOR.format("front", "imu") + SENSOR.format("back", "imu2")),
+        Good(CAMERA.format("a", "front/image", "1") + CAMERA.format("b", "back/image", "1.5")),
+        Good(
+            CAMERA.format("a", "rgb", "1") + CAMERA.format("b", "depth", "1"),
+            why="one camera, with one calibration",
+        ),
         Good(ROTOR + MOTOR.format("0") + MOTOR.format("1"), scaffold=IN_MODEL),
     )
 
@@ -80,6 +104,7 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
     """The first and the further uses of a topic, or of the number of a motor, in one model with all in it."""
     elements = root.elements
     topics: dict[tuple[Model | None, str], tuple[Value, Sensor]] = {}
+    infos: dict[tuple[Model | None, str], tuple[Value, Sensor]] = {}
     for sensor in root.each(Sensor) if len(elements.get("sensor", ())) > 1 else ():
         value = sensor.value("topic")
         if value is None or not sensor.topic or "$" in sensor.topic or "{" in sensor.topic:
@@ -87,6 +112,17 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
         first, other = topics.setdefault((outermost(sensor), sensor.topic), (value, sensor))
         if first is not value and other is not sensor:
             yield first, value, f"{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does"
+        elif sensor.type in CAMERAS and (camera := sensor.find("camera")) is not None:
+            given = camera.find("camera_info_topic")
+            beside = f"{sensor.topic.strip('/').rpartition('/')[0]}/camera_info".lstrip("/")
+            info = beside if given is None else given.content.strip("/ ")
+            first, other = infos.setdefault((outermost(sensor), info), (value, sensor))
+            if other is not sensor and view(other) != view(sensor):
+                yield (
+                    first,
+                    value,
+                    f"{sensor.title} publishes its calibration on `{info}`, as {other.title} does",
+                )
     numbers: dict[tuple[object, ...], Value] = {}
     for plugin in root.each(Plugin) if MOTORS.removeprefix("gz-sim-") in root.document.source.text else ():
         value = next((found for name in NUMBERS if (found := plugin.value(name)) is not None), None)
@@ -96,6 +132,16 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
         first_number = numbers.setdefault(key, value)
         if first_number is not value:
             yield first_number, value, f"motor number {value.text.strip()} is given before"
+
+
+def view(sensor: Sensor) -> tuple[object, ...]:
+    """Where a camera is, and what its calibration says."""
+    camera, pose = sensor.find("camera"), sensor.find("pose")
+    image = None if camera is None else camera.find("image")
+    parts = [(camera, "horizontal_fov"), (image, "width"), (image, "height")]
+    found = [parent.find(name) for parent, name in parts if parent is not None]
+    values = tuple(each.own_value.number for each in found if each is not None and each.own_value is not None)
+    return (sensor.link, None if pose is None else pose.content.split(), values)
 
 
 def outermost(sensor: Sensor) -> Model | None:

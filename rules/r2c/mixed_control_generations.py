@@ -10,6 +10,7 @@ SYSTEMS = {
     "ign_ros2_control-system": ("ign_ros2_control/IgnitionSystem",),
 }
 """Library of Gazebo's plugin → the hardware of the simulator that it can load."""
+MOCKS = ("fake_components/GenericSystem", "mock_components/GenericSystem")
 ROBOT = (
     '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
     '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
@@ -18,11 +19,12 @@ ROBOT = (
 
 
 class MixedControlGenerations(Rule):
-    """The hardware of a `ros2_control` block is of another generation of Gazebo than the plugin that is to load it.
+    """The hardware of a `ros2_control` block is not what the plugin of Gazebo that is to load it has.
 
     `gazebo_ros2_control` is for Gazebo Classic, `ign_ros2_control` for Fortress with ROS 2 Humble, `gz_ros2_control`
     for what came after. Each loads its own hardware only, but that `gz_ros2_control` knows the old name of its own. The
-    block is ignored with an error, and no joint of it moves.
+    block is ignored with an error, and no joint of it moves. The same holds for `mock_components/GenericSystem`, which
+    moves nothing and is for a robot without simulator.
     """
 
     code = "R2C034"
@@ -33,6 +35,8 @@ class MixedControlGenerations(Rule):
     - Gazebo since Garden: `gz_ros2_control/GazeboSimSystem` and `gz_ros2_control-system`.
     - Fortress with Humble: `ign_ros2_control/IgnitionSystem` and `ign_ros2_control-system`.
     - Gazebo Classic: `gazebo_ros2_control/GazeboSystem` and `libgazebo_ros2_control.so`.
+
+    For simulation and mock hardware in one file, let a condition of xacro choose hardware and plugin together.
     """
     affects = {Consumer.GAZEBO: warns("ignores the block")}
     looks_at = (Ros2Control,)
@@ -46,16 +50,28 @@ class MixedControlGenerations(Rule):
             fixed=ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem"),
             unsafe=True,
         ),
+        Bad(
+            ROBOT.replace("{}", "«mock_components/GenericSystem»"),
+            says="does not load `mock_components/GenericSystem`",
+            fixed=ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem"),
+            unsafe=True,
+        ),
     )
     good = (
         Good(ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem")),
         Good(ROBOT.replace("{}", "ign_ros2_control/IgnitionSystem"), why="an old name that still works"),
-        Good(ROBOT.replace("{}", "mock_components/GenericSystem")),
+        Good(ROBOT.replace("{}", "my_robot/Hardware"), why="not known"),
+        Good(
+            ROBOT.replace("{}", "gz_ros2_control/GazeboSimSystem")
+            + '<ros2_control name="tool" type="system"><hardware>'
+            "<plugin>mock_components/GenericSystem</plugin></hardware></ros2_control>",
+            why="part of the robot is made up",
+        ),
     )
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return block.is_simulated and loader(block) is not None
+        return (block.is_simulated or is_only_mock(block)) and loader(block) is not None
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         plugin, value = loader(block), block.plugin_value
@@ -70,6 +86,16 @@ class MixedControlGenerations(Rule):
 def library_of(plugin: Plugin) -> str:
     """The name of its library without `lib` and `.so`."""
     return plugin.filename.removeprefix("lib").removesuffix(".so")
+
+
+def is_only_mock(block: Ros2Control) -> bool:
+    """Is its hardware made up, while the robot has none of a simulator?"""
+    value = block.plugin_value
+    return (
+        value is not None
+        and value.text.strip() in MOCKS
+        and not any(other.is_simulated for other in block.model.ros2_control)
+    )
 
 
 def loader(block: Ros2Control) -> Plugin | None:

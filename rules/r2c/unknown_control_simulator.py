@@ -54,6 +54,12 @@ class UnknownControlSimulator(Rule):
             says="no library `libignition_ros2_control-system.so`; did you mean `ign_ros2_control-system`?",
         ),
         Bad(
+            SIMULATED.replace("gz_ros2_control-system", "«gz_ros2_control»"),
+            fixed=SIMULATED,
+            unsafe=True,
+            says="no library `gz_ros2_control`; did you mean `gz_ros2_control-system`?",
+        ),
+        Bad(
             '<gazebo><plugin filename="gz_ros2_control-system" name="«gz_ros2_control::GazeboSimRos2Control»">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",
             fixed=SIMULATED,
@@ -102,8 +108,10 @@ class UnknownControlSimulator(Rule):
 def meant_library(plugin: Plugin) -> str | None:
     """The library that was probably meant, by its name or by the last part of the class's."""
     file = plugin.filename.removeprefix("lib").removesuffix(".so")
-    if (near := suggest(file, CLASSES)) is not None or not file.endswith("_ros2_control-system"):
+    if (near := suggest(file, CLASSES)) is not None or file == "gazebo_ros2_control":
         return near
+    if not file.endswith("_ros2_control-system"):
+        return next((library for library, classes in CLASSES.items() if plugin.name == classes[0]), None)
     last = plugin.name.rpartition("::")[2]
     owners = (library for library, classes in CLASSES.items() if classes[0].endswith(f"::{last}"))
     return next(owners, None) if last else None

@@ -75,6 +75,12 @@ class UnknownPluginReference(Rule):
             scaffold=IN_ROBOT,
             says="link `fin` is merged into link `base`, and a plugin does not find it",
         ),
+        Bad(
+            '<plugin name="p" filename="libmy_thruster.so"><linkName>«bass»</linkName></plugin>',
+            fixed='<plugin name="p" filename="libmy_thruster.so"><linkName>base</linkName></plugin>',
+            unsafe=True,
+            says="`linkName` of plugin `p` names link `bass`, which is not in model `m`; did you mean `base`?",
+        ),
     )
     good = (
         Good(WHEEL + DRIVE.format("wheel")),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.robot.graph import Model, Part
@@ -25,6 +25,14 @@ if TYPE_CHECKING:
 
 
 _TEMPLATE = re.compile(r"[${}%@]")
+_USUAL = {
+    "bodyName": "link",
+    "linkName": "link",
+    "link_name": "link",
+    "jointName": "joint",
+    "joint_name": "joint",
+}
+"""Parameter of a plugin that is not known → the kind of thing that it names."""
 _ALWAYS = frozenset({"", "world", "canonical", "__default__"})
 
 
@@ -47,12 +55,12 @@ class PluginReference(NamedTuple):
         return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
 
 
-def references(plugin: Plugin, facts: PluginFacts) -> Iterator[PluginReference]:
+def references(plugin: Plugin, namings: Iterable[Naming]) -> Iterator[PluginReference]:
     """The names of joints and links that are written; what may be in a file that could not be read is left out."""
     model = _model(plugin)
     if model is None or not model.is_complete or not any(n.kind == "link" for n in model.nodes.values()):
         return
-    for naming in facts.namings:
+    for naming in namings:
         for value in _written(plugin.element, naming):
             name = value.text.strip()
             if name in _ALWAYS or _TEMPLATE.search(name) or (naming.is_list and "," in name):
@@ -126,12 +134,32 @@ class Plugin(Part):
         return max(found, key=lambda facts: len(given & facts.parameters), default=None)
 
     @lazy
+    def generation(self) -> str:
+        """The generation that loads it, by file and parameters: ``gz``, ``ros1``, ``ros2``, ``classic``; or empty."""
+        from sdfcheck.formats.plugins import known
+
+        reads = {facts.generation: facts.parameters for facts in known(self.filename)}
+        if not reads or not all(name.startswith("gazebo_ros") for name in reads):
+            return "gz" if reads and reads.keys() <= {"gz-sim", "gz_ros2_control"} else ""
+        if reads.keys() == {"gazebo_ros1"}:
+            return "ros1"
+        older = reads.get("gazebo_ros1")
+        newer = reads.get("gazebo_ros2", frozenset()) - older if older is not None else frozenset()
+        is_newer = "gazebo_ros2_control" in reads or self.has("ros")
+        return "ros2" if is_newer or any(each.name in newer for each in self.parameters) else "classic"
+
+    @lazy
     def references(self) -> tuple[PluginReference, ...]:
         """The parameters that name a joint or link of its model."""
-        if self.known is None or not self.known.namings:
-            return ()
+        facts = self.known
+        namings = facts.namings if facts is not None else ()
+        if facts is None or ("bodyName" in facts.required and not namings):
+            if not any(child.name in _USUAL for child in self.parameters):
+                return ()
+            from sdfcheck.formats.plugins import Naming
 
-        return tuple(references(self, self.known))
+            namings = tuple(Naming(name, kind, True, False) for name, kind in _USUAL.items())
+        return tuple(references(self, namings)) if namings else ()
 
     @property
     def unresolved(self) -> tuple[PluginReference, ...]:

@@ -44,6 +44,10 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         return
     path = semantics.document.path
     own = Packages(_package(path))
+    if any(True for _ in semantics.element.children("end_effector")):
+        semantics.has_kinematics = any(
+            file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
+        )
     for packages in (own, library.packages(path)):
         scored = [(_score(semantics, robot), robot) for robot in _candidates(semantics, packages, expand)]
         best = max((score for score, _ in scored), default=0.0)

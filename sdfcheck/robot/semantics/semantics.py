@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.text import Span
 
 
+VIRTUAL_TYPES = ("fixed", "floating", "planar")
 ROOT_JOINT = "root_joint"
 """What Pinocchio calls the joint of a floating robot, which no URDF has."""
 
@@ -61,6 +62,8 @@ class Semantics:
         self.robots: tuple[Model, ...] = ()
         self.strangers: tuple[Model, ...] = ()
         self.namesake: Model | None = None
+        self.has_kinematics = False
+        """Has its package the solvers of MoveIt's groups? Others read SRDF too, Pinocchio only poses of joints."""
 
     @property
     def span(self) -> Span:
@@ -85,6 +88,78 @@ class Semantics:
             if name := group.attributes.get("name", "").strip():
                 found.setdefault(name, group)
         return found
+
+    @lazy
+    def links_of(self) -> dict[str, frozenset[str]]:
+        """Name of a group → its links as MoveIt collects them: the children of its joints; empty where not certain."""
+        robot = self.robots[0] if len(self.robots) == 1 and not any(self.unknown) else None
+        if robot is None or any(self.unknown_groups):
+            return {}
+        above = {joint.child_name: joint.parent_name for joint in robot.joints}
+        return {name: frozenset(self._links_of(name, robot, above, ())) for name in self.groups}
+
+    def _links_of(
+        self, group: str, robot: Model, above: dict[str, str], outer: tuple[str, ...]
+    ) -> Iterator[str]:
+        for part in self.groups[group].children():
+            name = part.attributes.get("name", "").strip()
+            if part.name == "link":
+                yield name
+            elif part.name == "joint" and name in robot.joints_by_name:
+                yield robot.joints_by_name[name].child_name
+            elif part.name == "joint":
+                yield from (link.name for link in robot.tree.roots)
+            elif part.name == "group" and name not in (*outer, group):
+                yield from self._links_of(name, robot, above, (*outer, group))
+            elif part.name == "chain":
+                ends = [part.attributes.get(end, "").strip() for end in ("tip_link", "base_link")]
+                ways = [list(_way_up(end, above)) for end in ends]
+                yield from set(ways[0]).symmetric_difference(ways[1])
+
+    @property
+    def detached_end_effectors(self) -> Iterator[tuple[Value, str]]:
+        """The end effectors for which MoveIt finds no group that carries them: what would have to change, and why."""
+        for each in self.element.children("end_effector"):
+            own, parent, link = (
+                each.attributes.get(name, "").strip() for name in ("group", "parent_group", "parent_link")
+            )
+            carriers = [name for name, links in self.links_of.items() if link in links and name != own]
+            value = each.attribute("parent_link")
+            named = each.attribute("parent_group")
+            if value is None or own not in self.links_of or any(map(is_expression, (own, parent, link))):
+                continue
+            if named is not None and parent == own:
+                yield named, f"group `{own}` cannot carry itself"
+            elif parent and parent not in carriers:
+                yield value, f"group `{parent}` does not have link `{link}`"
+            elif not carriers and self.has_kinematics:
+                yield value, f"no other group has link `{link}`"
+
+    @property
+    def idle_states(self) -> Iterator[tuple[Value, str]]:
+        """The first joint of each state that its group does not move, and why."""
+        seen = set()
+        for state, element, _ in self.state_values:
+            group, value = state.attributes.get("group", "").strip(), element.attribute("name")
+            name = "" if value is None else value.text.strip()
+            joint = self.robots[0].joints_by_name.get(name) if group in self.links_of else None
+            if joint is None or value is None or state in seen:
+                continue
+            if joint.child_name not in self.links_of[group]:
+                seen.add(state)
+                yield value, f"not in group `{group}`"
+            elif joint.type == "fixed":
+                seen.add(state)
+                yield value, "fixed"
+
+    @property
+    def unknown_virtual_types(self) -> Iterator[Value]:
+        """The types of virtual joints that srdfdom does not know."""
+        for joint in self.element.children("virtual_joint"):
+            value = joint.attribute("type")
+            text = "fixed" if value is None else value.text.strip().lower()
+            if value is not None and text not in VIRTUAL_TYPES and not is_expression(text):
+                yield value
 
     @property
     def lacking(self) -> Iterator[tuple[Element, str]]:
@@ -208,6 +283,15 @@ class Semantics:
         number = state.value.number
         slack = 1e-6 * max(abs(low), abs(high), 1)
         return joint if number < low - slack or number > high + slack else None
+
+
+def _way_up(link: str, above: dict[str, str]) -> Iterator[str]:
+    """A link and those above it, up to the root."""
+    seen = set()
+    while link and link not in seen:
+        seen.add(link)
+        yield link
+        link = above.get(link, "")
 
 
 def names(robot: Model, kind: str) -> frozenset[str]:

@@ -1,0 +1,85 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Model, Plugin, Rule, Severity, Value
+
+DRIVE = (
+    '<link name="wheel"/><joint name="j" type="continuous"><parent link="base"/><child link="wheel"/></joint><gazebo>'
+    '<plugin filename="libgazebo_ros_planar_move.so" name="d"><robotBaseFrame>{}</robotBaseFrame></plugin></gazebo>'
+)
+NAMES = ("robot_base_frame", "robotBaseFrame")
+SWITCHES = {
+    "gazebo_ros_skid_steer_drive": ("broadcastTF", False),
+    "gazebo_ros_diff_drive": ("publishOdomTF", True),
+}
+"""Plugin of ROS 1 → what switches its transform, and whether it is on by default."""
+
+
+class MisplacedOdometry(Rule):
+    """A drive publishes the odometry of a link that is not the root of the robot.
+
+    In the tree of tf a frame has one parent. `robot_state_publisher` says that the link hangs on another one, and the
+    plugin that it hangs on `odom`: the tree falls into two, and what looks up a transform fails or sees the robot jump.
+    A link that the robot does not have is not tied to the robot at all.
+    """
+
+    code = "GAZ020"
+    name = "misplaced-odometry"
+    severity = Severity.WARNING
+    remedy = "Name the root link of the robot, such as `base_footprint`."
+    looks_at = (Plugin,)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            DRIVE.format("«wheel»"),
+            says="link `wheel` hangs on link `base`, and `robotBaseFrame` would hang it on the odometry",
+        ),
+        Bad(
+            DRIVE.format("«bases»"),
+            fixed=DRIVE.format("base"),
+            unsafe=True,
+            says="`bases` is not a link of robot `r`, and nothing ties",
+        ),
+    )
+    good = (
+        Good(DRIVE.format("base")),
+        Good(DRIVE.format("robot1/base"), why="with the prefix that robot_state_publisher adds"),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return "gazebo_ros" in plugin.filename and carried(plugin) is not None
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        found = carried(plugin)
+        assert found is not None
+        value, robot, link = found
+        if link is None:
+            name = value.text.strip()
+            message = f"`{name}` is not a link of {robot.title}, and nothing ties the odometry to the robot"
+            yield self.diagnostic(value, message, meant=plugin.nearest(name, robot.tree.links))
+            return
+        joint = link.parent_joints[0]
+        parent, name = joint.parent_name, value.element.name
+        message = f"{link.title} hangs on link `{parent}`, and `{name}` would hang it on the odometry"
+        yield self.diagnostic(value, message, labels={joint: "hangs it there"})
+
+
+def carried(plugin: Plugin) -> tuple[Value, Model, Link | None] | None:
+    """The link that a plugin carries about in tf, if a joint leads to it or it is not there."""
+    value = next((found for name in NAMES if (found := plugin.value(name)) is not None), None)
+    facts = plugin.known
+    if value is None or facts is None or not plugin.is_extension:
+        return None
+    switch, default = SWITCHES.get(facts.file, ("", True))
+    if facts.generation == "gazebo_ros2":
+        switch, default = "publish_odom_tf", False
+    given = (plugin.get(switch) or "").strip().lower() if switch else ""
+    if given in {"false", "0"} or (not given and not default):
+        return None
+    robot, name = plugin.root.models[0], value.text.strip()
+    links = robot.tree.links
+    if name in links:
+        return (value, robot, links[name]) if links[name].parent_joints else None
+    is_other = not name or "$" in name or any(name.endswith(link) for link in links)
+    return None if is_other or not robot.is_complete else (value, robot, None)

@@ -1,0 +1,529 @@
+"""Problems that people had: small robots with a mistake, which is found on its line, and without it."""
+
+import struct
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+import sdfcheck
+
+MASS = '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+BOX = '<geometry><box size="0.3 0.2 0.1"/></geometry>'
+BODY = f"{MASS}<visual>{BOX}</visual><collision>{BOX}</collision>"
+RIM = '<origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.07" length="0.05"/></geometry>'
+WHEEL = f"""<link name="{{side}}"><inertial><mass value="0.5"/>
+<inertia ixx="0.0008" iyy="0.0013" izz="0.0008" ixy="0" ixz="0" iyz="0"/></inertial>
+<visual>{RIM}</visual><collision>{RIM}</collision></link>
+<joint name="{{side}}_joint" type="continuous">
+<parent link="body"/><child link="{{side}}"/><origin xyz="0 {{y}} 0"/>
+<axis xyz="0 1 0"/>
+</joint>
+"""
+CART = (
+    '<link name="base_link"/>\n'
+    f'<link name="body">{BODY}</link>\n'
+    '<joint name="body_joint" type="fixed"><parent link="base_link"/><child link="body"/></joint>\n'
+    + WHEEL.format(side="left", y="0.15")
+    + WHEEL.format(side="right", y="-0.15")
+)
+ROD = '<origin xyz="0 0 0.2"/><geometry><cylinder radius="0.04" length="0.4"/></geometry>'
+ARM = f"""<link name="stand"/>
+<link name="base">{BODY}</link>
+<joint name="stand_joint" type="fixed"><parent link="stand"/><child link="base"/></joint>
+<link name="upper">
+<inertial><origin xyz="0 0 0.2"/><mass value="1"/>
+<inertia ixx="0.014" iyy="0.014" izz="0.001" ixy="0" ixz="0" iyz="0"/></inertial>
+<visual>{ROD}</visual>
+<collision>{ROD}</collision>
+</link>
+<joint name="shoulder" type="revolute">
+<parent link="base"/><child link="upper"/>
+<origin xyz="0 0 0.05"/>
+<axis xyz="0 1 0"/>
+<limit lower="-1" upper="1" effort="10" velocity="2"/>
+</joint>
+"""
+FINGER = """<link name="finger"><inertial><mass value="0.1"/>
+<inertia ixx="0.0001" iyy="0.0001" izz="0.0001" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="grip" type="prismatic"><parent link="upper"/><child link="finger"/><origin xyz="0 0 0.4"/>
+<axis xyz="0 1 0"/><limit lower="0" upper="0.04" effort="5" velocity="1"/></joint>
+"""
+DRIVE = """<gazebo>
+<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">
+<left_joint>left_joint</left_joint>
+<right_joint>right_joint</right_joint>
+<wheel_separation>0.3</wheel_separation>
+<wheel_radius>0.07</wheel_radius>
+</plugin>
+</gazebo>
+"""
+ROS_DRIVE = """<gazebo>
+<plugin filename="libgazebo_ros_diff_drive.so" name="drive">
+<left_joint>left_joint</left_joint>
+<right_joint>right_joint</right_joint>
+<wheel_separation>0.3</wheel_separation>
+<wheel_diameter>0.14</wheel_diameter>
+{}
+</plugin>
+</gazebo>
+"""
+CONTROL = """<ros2_control name="all" type="system">
+<hardware>
+<plugin>{}</plugin>
+</hardware>
+<joint name="{}">
+<command_interface name="position"/><state_interface name="position"/>
+</joint>
+</ros2_control>
+"""
+GZ_CONTROL = """<gazebo>
+<plugin filename="{}" name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>c.yaml</parameters></plugin>
+</gazebo>
+"""
+SCAN = """<scan><horizontal><samples>360</samples><min_angle>-3</min_angle><max_angle>3</max_angle></horizontal></scan>
+<range><min>0.1</min><max>10</max></range>"""
+TRANSMISSION = """<transmission name="t">
+<type>{}</type>
+<joint name="shoulder">
+<hardwareInterface>{}</hardwareInterface>
+</joint>
+<actuator name="m"><mechanicalReduction>1</mechanicalReduction></actuator>
+</transmission>
+"""
+SDF_MASS = (
+    "<inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>"
+)
+SDF_BODY = (
+    f'{SDF_MASS}<visual name="v"><geometry><box><size>0.3 0.2 0.1</size></box></geometry></visual>'
+    '<collision name="c"><geometry><box><size>0.3 0.2 0.1</size></box></geometry></collision>'
+)
+CAMERA = """<sensor name="{0}" type="camera"><pose>0 {1} 0 0 0 0</pose>
+<topic>{2}</topic>
+<camera><horizontal_fov>1</horizontal_fov><image><width>640</width><height>480</height></image></camera>
+</sensor>
+"""
+SEMANTICS = """<group name="arm"><chain base_link="base" tip_link="upper"/></group>
+<group name="tool"><joint name="grip"/></group>
+"""
+PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
+XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def robot(*parts: str, more: str = ' name="bot"') -> str:
+    return f'<?xml version="1.0"?>\n<robot{more}>\n{"".join(parts)}\n</robot>\n'
+
+
+def model(*parts: str) -> str:
+    return (
+        f'<?xml version="1.0"?>\n<sdf version="1.9">\n<model name="m">\n{"".join(parts)}\n</model>\n</sdf>\n'
+    )
+
+
+def cube() -> bytes:
+    """A tetrahedron about the origin, as a binary STL."""
+    corners = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
+    faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+    return (
+        bytes(80)
+        + struct.pack("<I", 4)
+        + b"".join(
+            struct.pack("<12fH", 0, 0, 0, *(0.1 * x for at in face for x in corners[at]), 0) for face in faces
+        )
+    )
+
+
+class Problem(NamedTuple):
+    """A text in which ``@@`` is wrong, then right."""
+
+    code: str
+    text: str
+    wrong: str
+    right: str
+    below: int = 0
+    """So many lines below ``@@`` is the mistake."""
+    suffix: str = ".urdf"
+    files: dict[str, str | bytes] = {}  # noqa: RUF012 - never changed
+
+    def write(self, folder: Path, what: str) -> Path:
+        for name, content in self.files.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        path = folder / f"bot{self.suffix}"
+        path.write_text(self.text.replace("@@", what), encoding="utf-8")
+        return path
+
+    @property
+    def line(self) -> int:
+        return self.text[: self.text.index("@@")].count("\n") + 1 + self.below
+
+
+def semantic(text: str, wrong: str, right: str, code: str) -> Problem:
+    """A problem in SRDF, beside its robot."""
+    return Problem(code, robot(SEMANTICS, text), wrong, right, 0, ".srdf", {"bot.urdf": robot(ARM, FINGER)})
+
+
+def meshed(mesh: str, wrong: str, right: str, code: str, **files: str | bytes) -> Problem:
+    """A problem with the address of a mesh."""
+    text = f'<link name="a">{MASS}\n<visual><geometry><mesh filename="{mesh}"/></geometry></visual></link>'
+    return Problem(code, robot(text), wrong, right, 0, ".urdf", {"meshes/a.stl": cube(), **files})
+
+
+def in_xacro(text: str, wrong: str, right: str, code: str) -> Problem:
+    """A problem with xacro; ``part`` is in a file of its own."""
+    others: dict[str, str | bytes] = {"part.xacro": f"<robot{XACRO}>{PART}</robot>"}
+    return Problem(code, robot(text, more=f' name="bot"{XACRO}'), wrong, right, 0, ".urdf.xacro", others)
+
+
+GZ_DRIVEN = robot(CART, DRIVE)
+PROBLEMS = {
+    # Plugins of Gazebo
+    "a plugin of Classic does nothing in the new Gazebo": Problem(
+        "GAZ019",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo reference="body">\n<sensor name="imu" type="imu"><topic>imu</topic>\n@@</sensor>\n</gazebo>',
+        ),
+        '<plugin filename="libgazebo_ros_imu_sensor.so" name="imu"><ros><namespace>/a</namespace></ros></plugin>',
+        "",
+    ),
+    "the depth camera of ROS 1 is not there in ROS 2": Problem(
+        "GAZ019",
+        robot(
+            ARM,
+            CONTROL.format("gazebo_ros2_control/GazeboSystem", "shoulder"),
+            '<gazebo><plugin filename="libgazebo_ros2_control.so" name="c"><parameters>c.yaml</parameters></plugin>'
+            '</gazebo>\n<gazebo reference="upper">\n<sensor name="s" type="depth"><camera/>\n'
+            '<plugin filename="@@" name="p"/></sensor>\n</gazebo>',
+        ),
+        "libgazebo_ros_openni_kinect.so",
+        "libgazebo_ros_camera.so",
+    ),
+    "the laser of ROS 1 is not there in ROS 2": Problem(
+        "GAZ019",
+        robot(
+            CART,
+            ROS_DRIVE,
+            f'<gazebo reference="body">\n<sensor name="s" type="ray"><ray>{SCAN}</ray>\n'
+            '<plugin filename="@@" name="p"/></sensor>\n</gazebo>',
+        ).replace("{}\n", ""),
+        "libgazebo_ros_laser.so",
+        "libgazebo_ros_ray_sensor.so",
+    ),
+    "two cameras have one camera_info": Problem(
+        "GAZ015",
+        model(
+            f'<link name="l">{SDF_BODY}\n',
+            CAMERA.format("a", "0.1", "left/image"),
+            CAMERA.format("b", "-0.1", "@@"),
+            "</link>",
+        ),
+        "left/raw",
+        "right/image",
+        suffix=".sdf",
+    ),
+    "a sensor on a fixed joint is lost": Problem(
+        "GAZ011",
+        robot(
+            CART,
+            DRIVE,
+            '<link name="lidar"/>\n<joint name="lidar_joint" type="fixed"><parent link="body"/><child link="lidar"/>'
+            '</joint>\n<gazebo reference="@@">\n<sensor name="scan" type="gpu_lidar"><topic>scan</topic>'
+            f"<ray>{SCAN}</ray></sensor>\n</gazebo>",
+        ),
+        "lidar_joint",
+        "lidar",
+        1,
+    ),
+    "the system of the sensors is in a block about a link": Problem(
+        "SCH003",
+        robot(CART, DRIVE, '<gazebo reference="body">\n@@\n</gazebo>'),
+        '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>',
+        '<sensor name="imu" type="imu"><topic>imu</topic></sensor>',
+    ),
+    "the sides of a drive are exchanged": Problem(
+        "GEO009",
+        GZ_DRIVEN.replace(
+            "<left_joint>left_joint</left_joint>\n<right_joint>right_joint</right_joint>", "@@"
+        ),
+        "<left_joint>right_joint</left_joint>\n<right_joint>left_joint</right_joint>",
+        "<left_joint>left_joint</left_joint>\n<right_joint>right_joint</right_joint>",
+    ),
+    "the wheels are not as far apart as the plugin says": Problem(
+        "GEO011", GZ_DRIVEN.replace("<wheel_separation>0.3", "<wheel_separation>@@"), "0.8", "0.3"
+    ),
+    "a parameter has its name of ROS 1": Problem(
+        "RES019",
+        robot(CART, ROS_DRIVE.format("<ros><namespace>a</namespace></ros>\n<@@>true</@@>")),
+        "publishOdom",
+        "publish_odom",
+    ),
+    "the odometry carries a link that is not the root": Problem(
+        "GAZ020",
+        robot(
+            CART,
+            ROS_DRIVE.format(
+                "<publish_odom_tf>true</publish_odom_tf>\n<robot_base_frame>@@</robot_base_frame>"
+            ),
+        ),
+        "body",
+        "base_link",
+    ),
+    "the odometry carries a link that is not there": Problem(
+        "GAZ020",
+        robot(
+            CART,
+            ROS_DRIVE.format(
+                "<publish_odom_tf>true</publish_odom_tf>\n<robot_base_frame>@@</robot_base_frame>"
+            ),
+        ),
+        "base_footprint",
+        "base_link",
+    ),
+    "the link of an inertial sensor is not in the robot": Problem(
+        "RES014",
+        robot(
+            CART,
+            '<gazebo>\n<plugin filename="libgazebo_ros_imu.so" name="i">\n<bodyName>@@</bodyName>\n'
+            "<topicName>imu</topicName>\n</plugin>\n</gazebo>",
+        ),
+        "imu_link",
+        "base_link",
+    ),
+    "the link of a plugin of the project has the name of the robot before it": Problem(
+        "RES014",
+        robot(
+            CART,
+            '<gazebo>\n<plugin filename="libmy_multirotor_plugin.so" name="r">\n<linkName>@@</linkName>\n'
+            "</plugin>\n</gazebo>",
+        ),
+        "bot/base_link",
+        "base_link",
+    ),
+    "a thruster has the parameters of a drive": Problem(
+        "RES021",
+        robot(
+            CART,
+            "<gazebo>\n@@\n<thrust_coefficient>0.1</thrust_coefficient></plugin>\n</gazebo>",
+        ),
+        '<plugin filename="gz-sim-thruster-system" name="gz::sim::systems::Thruster">'
+        "<right_joint>right_joint</right_joint>",
+        '<plugin filename="gz-sim-thruster-system" name="gz::sim::systems::Thruster">'
+        "<joint_name>right_joint</joint_name>",
+    ),
+    "a propeller has limits": Problem(
+        "JNT027",
+        robot(
+            CART.replace(
+                'name="right_joint" type="continuous"', 'name="right_joint" type="revolute"'
+            ).replace(
+                '<origin xyz="0 -0.15 0"/>',
+                '<origin xyz="0 -0.15 0"/><limit effort="9" velocity="9" lower="-@@" upper="@@"/>',
+            ),
+            '<gazebo><plugin filename="gz-sim-thruster-system" name="gz::sim::systems::Thruster">\n'
+            "<joint_name>right_joint</joint_name></plugin></gazebo>",
+        ),
+        "1.57",
+        "1e16",
+        4,
+    ),
+    "a plugin is under the root": Problem(
+        "SCH003",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n@@'
+        f'<model name="m">\n<link name="l">{SDF_BODY}</link>\n</model>\n</sdf>\n',
+        '<plugin filename="gz-sim-label-system" name="gz::sim::systems::Label"><label>1</label></plugin>\n',
+        "",
+        suffix=".sdf",
+    ),
+    "a plugin has its name of Fortress": Problem(
+        "GAZ001",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n@@\n</world>\n</sdf>\n',
+        '<plugin filename="ignition-gazebo-physics-system" name="ignition::gazebo::systems::Physics"/>',
+        '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
+        suffix=".sdf",
+    ),
+    "the settings of a link are in the link": Problem(
+        "URD001",
+        robot(ARM.replace('<link name="stand"/>', '<link name="stand">\n@@</link>')),
+        '<gazebo reference="base"><gravity>true</gravity></gazebo>',
+        "",
+    ),
+    # ros_control and ros2_control
+    "the library of gz_ros2_control lacks its end": Problem(
+        "R2C028",
+        robot(ARM, CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder"), GZ_CONTROL.format("@@")),
+        "gz_ros2_control",
+        "gz_ros2_control-system",
+    ),
+    "Gazebo does not load mock hardware": Problem(
+        "R2C034",
+        robot(ARM, CONTROL.format("@@", "shoulder"), GZ_CONTROL.format("gz_ros2_control-system")),
+        "mock_components/GenericSystem",
+        "gz_ros2_control/GazeboSimSystem",
+    ),
+    "Classic does not load mock hardware": Problem(
+        "R2C034",
+        robot(
+            ARM,
+            CONTROL.format("@@", "shoulder"),
+            GZ_CONTROL.format("libgazebo_ros2_control.so").replace("gz_ros2_control::GazeboSim", ""),
+        ),
+        "fake_components/GenericSystem",
+        "gazebo_ros2_control/GazeboSystem",
+    ),
+    "ros2_control is for a joint that the robot does not have": Problem(
+        "URD012",
+        robot(ARM, CONTROL.format("mock_components/GenericSystem", "@@")),
+        "shoulder_joint",
+        "shoulder",
+    ),
+    "the interface of a transmission is misspelled": Problem(
+        "URD028",
+        robot(ARM, TRANSMISSION.format("transmission_interface/SimpleTransmission", "hardware_interface/@@")),
+        "PositionJointInterfce",
+        "PositionJointInterface",
+    ),
+    "the type of a transmission is misspelled": Problem(
+        "URD028",
+        robot(ARM, TRANSMISSION.format("@@", "hardware_interface/EffortJointInterface")),
+        "transmission_interface/SimpleTransmision",
+        "transmission_interface/SimpleTransmission",
+    ),
+    # SRDF
+    "the group of an end effector is its own parent": semantic(
+        '<end_effector name="e" parent_link="upper" group="@@" parent_group="arm"/>', "arm", "tool", "SRD009"
+    ),
+    "the parent group of an end effector lacks its parent link": semantic(
+        '<end_effector name="e" parent_link="@@" group="tool" parent_group="arm"/>',
+        "finger",
+        "upper",
+        "SRD009",
+    ),
+    "a state is for a joint of another group": semantic(
+        '<group_state name="open" group="tool"><joint name="@@" value="0.02"/></group_state>',
+        "shoulder",
+        "grip",
+        "SRD010",
+    ),
+    "a state is for a joint that is fixed": semantic(
+        '<group name="all"><joint name="stand_joint"/><joint name="grip"/></group>\n'
+        '<group_state name="open" group="all"><joint name="@@" value="0.02"/></group_state>',
+        "stand_joint",
+        "grip",
+        "SRD010",
+    ),
+    "a virtual joint has a type that there is not": semantic(
+        '<virtual_joint name="v" type="@@" parent_frame="odom" child_link="stand"/>',
+        "float",
+        "floating",
+        "SRD011",
+    ),
+    # Links and joints
+    "a joint of URDF has the name of a link": Problem(
+        "NAM002",
+        robot(
+            ARM,
+            '<link name="cam"/>\n<joint name="@@" type="fixed"><parent link="upper"/><child link="cam"/></joint>',
+        ),
+        "cam",
+        "cam_joint",
+    ),
+    "a joint of SDFormat has the name of a link": Problem(
+        "NAM002",
+        model(
+            f'<link name="l">{SDF_BODY}</link>\n<link name="w"><pose>0.1 0 0 0 0 0</pose>{SDF_BODY}</link>\n'
+            '<joint name="@@" type="ball"><parent>l</parent><child>w</child></joint>'
+        ),
+        "w",
+        "w_joint",
+        suffix=".sdf",
+    ),
+    "two links have one name": Problem(
+        "NAM001",
+        robot(
+            ARM,
+            '<link name="@@"/>\n<joint name="f" type="fixed"><parent link="upper"/><child link="fore"/></joint>',
+        ),
+        "upper",
+        "fore",
+    ),
+    "the link of a laser is not there": Problem(
+        "JNT001",
+        robot(
+            ARM,
+            '<joint name="laser_joint" type="fixed"><parent link="base"/><child link="@@"/></joint>\n'
+            '<link name="laser"/>',
+        ),
+        "base_laser",
+        "laser",
+    ),
+    "the ground hangs on nothing": Problem("URD004", robot(ARM, "@@"), '<link name="ground"/>', ""),
+    "a robot has no name": Problem("SCH005", robot(CART, more="@@"), "", ' name="bot"'),
+    "the mass of a link is beside it": Problem("URD001", robot(ARM, "@@"), MASS, ""),
+    "the root has a body and no mass": Problem(
+        "URD013", robot(ARM.replace(f'<link name="base">{MASS}', '<link name="base">@@')), "", MASS, -1
+    ),
+    "moments that no body has": Problem(
+        "INR003", robot(ARM.replace('ixx="0.014"', 'ixx="@@"')), "0.14", "0.014", 0
+    ),
+    "a negative moment": Problem("INR002", robot(ARM.replace('ixx="0.014"', 'ixx="@@"')), "-0.014", "0.014"),
+    "a joint mimics one that is not there": Problem(
+        "JNT009",
+        robot(ARM, FINGER.replace("</joint>", '\n<mimic joint="@@"/></joint>')),
+        "elbow",
+        "shoulder",
+    ),
+    "the world has a body": Problem(
+        "URD029",
+        robot(
+            ARM.replace(
+                '<link name="stand"/>', '<link name="@@">\n<visual>' + BOX + "</visual></link>"
+            ).replace('link="stand"', 'link="@@"')
+        ),
+        "world",
+        "table",
+        1,
+    ),
+    # Meshes
+    "a mesh has another name": meshed("meshes/@@", "base.STL", "a.stl", "RES001"),
+    "a package has no name": meshed("@@", "package:///meshes/a.stl", "meshes/a.stl", "RES004"),
+    "a package was renamed": meshed(
+        "package://@@/meshes/a.stl",
+        "scan",
+        "scan_xd",
+        "RES001",
+        **{"package.xml": '<package format="3"><name>scan_xd</name><version>1.0.0</version></package>'},
+    ),
+    # xacro
+    "a parenthesis is not closed": in_xacro(
+        '<xacro:property name="r" value="1"/>\n<link name="l${@@}"/>', "(r*2", "(r*2)", "XAC001"
+    ),
+    "an include takes no parameter": in_xacro(
+        '<xacro:include filename="part.xacro"@@/>\n<xacro:part p="x"/>', ' prefix="left_"', "", "XAC011"
+    ),
+    "a macro does not take a parameter any more": in_xacro(
+        f'{PART}\n<xacro:part p="x"@@/>', ' material="grey"', "", "XAC008"
+    ),
+    "a macro is not defined": in_xacro(f'{PART}\n<xacro:@@ p="x"/>', "base", "part", "XAC003"),
+    "an include lacks its prefix": in_xacro(
+        '<@@ filename="part.xacro"/>\n<link name="x"/>', "include", "xacro:include", "XAC012"
+    ),
+}
+
+
+def findings(path: Path) -> list[tuple[str, int]]:
+    found = sdfcheck.as_json(sdfcheck.lint([path], isolated=True))["diagnostics"]
+    return [
+        (each["code"], each["range"]["start"]["line"])
+        for each in found
+        if Path(each["file"]) == path and each["severity"] != "info"
+    ]
+
+
+@pytest.mark.parametrize("name", PROBLEMS)
+def test_problem(name: str, tmp_path: Path) -> None:
+    problem = PROBLEMS[name]
+    assert findings(problem.write(tmp_path, problem.right)) == []
+    assert (problem.code, problem.line) in findings(problem.write(tmp_path, problem.wrong))
