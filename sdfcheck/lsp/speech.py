@@ -90,20 +90,29 @@ class Speech:
         source = span.source
         return types.Range(self.position(source, span.start), self.position(source, span.end))
 
-    def written_places(self, source: Source) -> Callable[[int, int], str]:
-        """A function that writes the range between two characters of a text."""
+    def written_places(self, source: Source) -> Callable[[int, int, int, int], str]:
+        """A function that writes two ranges of a text: of something, and of its name."""
         starts = source.line_starts
         is_plain = self.units is Units.UTF32 or source.text.isascii()
 
-        def written(start: int, end: int) -> str:
-            if is_plain:
-                first = bisect_right(starts, start) - 1
-                last = bisect_right(starts, end, first) - 1
-                column, close = start - starts[first], end - starts[last]
+        def written(start: int, end: int, name: int, close: int) -> str:
+            line = bisect_right(starts, start)
+            before = starts[line - 1]
+            if not is_plain or (line < len(starts) and close >= starts[line]):
+                (line, first), (last, column), (a, b), (c, d) = (
+                    place_of(source, each, self.units) for each in (start, end, name, close)
+                )
             else:
-                first, column = place_of(source, start, self.units)
-                last, close = place_of(source, end, self.units)
-            return f'{{"start":{{"line":{first},"character":{column}}},"end":{{"line":{last},"character":{close}}}}}'
+                last = bisect_right(starts, end, line - 1) - 1
+                first, column = start - before, end - starts[last]
+                line = a = c = line - 1
+                b, d = name - before, close - before
+            return (
+                f'"range":{{"start":{{"line":{line},"character":{first}}},'
+                f'"end":{{"line":{last},"character":{column}}}}},'
+                f'"selectionRange":{{"start":{{"line":{a},"character":{b}}},'
+                f'"end":{{"line":{c},"character":{d}}}}}'
+            )
 
         return written
 
