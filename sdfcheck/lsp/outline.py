@@ -41,7 +41,7 @@ _LABELS = {
     for label in ("name", "filename", "reference", "type")
 }
 _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
-"""What is not called by its name."""
+"""The attribute that holds the name, where it is another one."""
 _TYPED = frozenset({"joint", "sensor", "light"})
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 

@@ -305,6 +305,14 @@ class LiveExpander(Expander):
         self._dropped.append(self._known.pop(request).expansion)
         return None
 
+    def lately(self, document: Document, arguments: Mapping[str, str]) -> Expansion | None:
+        """The last expansion of a document, also of an earlier text; None where it was not expanded."""
+        for is_partial in (False, True):
+            known = self._known.get(self._request(document, arguments, is_partial))
+            if known is not None and known.expansion.document is not None:
+                return known.expansion
+        return None
+
     def tried(self, document: Document, arguments: Mapping[str, str], texts: Mapping[str, str]) -> Expansion:
         """The expansion that a document would have with other texts in the files at some absolute paths."""
         around = self.surroundings
