@@ -182,7 +182,7 @@ class _Completer:
         found: list[Item] = []
         if self.is_srdf:
             found += semantic_attributes(self.where)
-        else:
+        elif not tag.startswith("xacro:"):
             found += control_attributes(self.where)
             found += attribute_items(self.where, self.version, is_urdf=self.is_urdf)
         if self.is_xacro and tag.startswith("xacro:"):

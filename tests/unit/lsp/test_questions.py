@@ -266,6 +266,20 @@ def test_names_that_are_suggested_in_semantics(
     assert complete(editor.workspace, buffer, place).items[0].label == expected
 
 
+def test_joints_in_semantics_are_those_of_the_robot(editor: Editor, tmp_path: Path) -> None:
+    limit = PLAIN.replace("continuous", "revolute").replace(
+        "</joint>", '<limit lower="-1" upper="2"/></joint>'
+    )
+    (tmp_path / "r.urdf").write_text(limit)
+    (tmp_path / "r.srdf").write_text(SEMANTICS)
+    buffer = editor.open(tmp_path / "r.srdf", SEMANTICS)
+    place = editor.place(buffer, SEMANTICS.index('"elbow" value') + 2)
+    found = editor.answers.hover(buffer, types.HoverParams(**place))
+    assert found is not None
+    assert "`base` → `tip`" in str(found.contents)
+    assert "from `-1` to `2` rad" in str(found.contents)
+
+
 def test_everything_in_semantics_is_explained(editor: Editor, robot: Path, tmp_path: Path) -> None:
     buffer = editor.open(
         tmp_path / "r.srdf", SEMANTICS.replace("<gripper", "<!--").replace("</gripper>", "-->")
@@ -306,6 +320,13 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
         ('<gazebo><plugin name="p" filename="x.so"><m>${|}</m></plugin></gazebo>', "mass"),
         ('<gazebo><plugin name="p" filename="x.so"><m>$(arg |)</m></plugin></gazebo>', "side"),
         ("<xacro:wheel |/>", "red"),
+        ('<link name="a"/><link name="b"/><gazebo reference="|"/>', "a"),
+        ('<xacro:macro name="m" params="one *two"><xacro:insert_block name="|"/></xacro:macro>', "two"),
+        ('<xacro:wheel red="left"/><gazebo reference="|"/>', "left"),
+        (
+            '<ros2_control name="c" type="system"><sensor name="s"><state_interface name="|"/></sensor></ros2_control>',
+            "force.x",
+        ),
         ('<ros2_control name="c" type="system"><xacro:if value="1"><|</xacro:if></ros2_control>', "joint"),
     ],
 )
