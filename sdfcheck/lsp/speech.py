@@ -22,6 +22,9 @@ from sdfcheck.source.text import Source, Span
 NAME = "sdfcheck"
 _NOT_ENCODED = re.compile("[\ud800-\udfff]")
 
+_DIGITS = [str(number) for number in range(256)]
+"""Small numbers, written: columns, of which a long answer has many."""
+
 _SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,
     Severity.WARNING: types.DiagnosticSeverity.Warning,
@@ -98,21 +101,19 @@ class Speech:
         def written(start: int, end: int, name: int, close: int) -> str:
             line = bisect_right(starts, start)
             before = starts[line - 1]
-            if not is_plain or (line < len(starts) and close >= starts[line]):
-                (line, first), (last, column), (a, b), (c, d) = (
-                    place_of(source, each, self.units) for each in (start, end, name, close)
+            last = bisect_right(starts, end, line - 1) - 1
+            column, d = end - starts[last], close - before
+            is_short = d < len(_DIGITS) and column < len(_DIGITS)
+            if is_plain and is_short and (line == len(starts) or close < starts[line]):  # as most are
+                row = f'{{"line":{line - 1},"character":'
+                return (
+                    f'"range":{{"start":{row}{_DIGITS[start - before]}}},'
+                    f'"end":{{"line":{last},"character":{_DIGITS[column]}}}}},'
+                    f'"selectionRange":{{"start":{row}{_DIGITS[name - before]}}},"end":{row}{_DIGITS[d]}}}}}'
                 )
-            else:
-                last = bisect_right(starts, end, line - 1) - 1
-                first, column = start - before, end - starts[last]
-                line = a = c = line - 1
-                b, d = name - before, close - before
-            return (
-                f'"range":{{"start":{{"line":{line},"character":{first}}},'
-                f'"end":{{"line":{last},"character":{column}}}}},'
-                f'"selectionRange":{{"start":{{"line":{a},"character":{b}}},'
-                f'"end":{{"line":{c},"character":{d}}}}}'
-            )
+            places = [place_of(source, each, self.units) for each in (start, end, name, close)]
+            a, b, c, e = (f'{{"line":{each.line},"character":{each.column}}}' for each in places)
+            return f'"range":{{"start":{a},"end":{b}}},"selectionRange":{{"start":{c},"end":{e}}}'
 
         return written
 
