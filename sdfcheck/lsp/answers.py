@@ -56,6 +56,8 @@ _SYMBOLS = {
     "sensor": types.SymbolKind.Event,
     "light": types.SymbolKind.Event,
 }
+_KINDS = {name: int(kind) for name, kind in _SYMBOLS.items()}
+_OTHER = int(types.SymbolKind.Property)
 
 
 class Answers:
@@ -291,16 +293,14 @@ class Answers:
             return refusal
 
 
-def _symbol(entry: Entry, places: Callable[[int, int], str]) -> str:
+def _symbol(entry: Entry, places: Callable[[int, int, int, int], str]) -> str:
     """A part of the outline with its own parts, as the protocol writes it."""
-    kind = int(_SYMBOLS.get(entry.kind, types.SymbolKind.Property))
-    children = ",".join([_symbol(child, places) for child in entry.children])
+    children = ",".join([_symbol(child, places) for child in entry.children]) if entry.children else ""
     name = f'"{entry.name}"' if entry.name.isidentifier() else dumps(entry.name)
     detail = f'"{entry.detail}"' if entry.detail.isidentifier() else dumps(entry.detail)
     return (
-        f'{{"name":{name},"detail":{detail},"kind":{kind},'
-        f'"range":{places(entry.start, entry.end)},"selectionRange":{places(*entry.place)},'
-        f'"children":[{children}]}}'
+        f'{{"name":{name},"detail":{detail},"kind":{_KINDS.get(entry.kind, _OTHER)},'
+        f'{places(entry.start, entry.end, *entry.place)},"children":[{children}]}}'
     )
 
 

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, cast
 
+from sdfcheck.lsp.names.srdf_names import descriptions_for
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.root import root_of
@@ -27,7 +28,8 @@ def of_symbol(document: Document, named: Occurrence) -> Iterator[str]:
     if document.kind is Kind.XACRO:
         yield from _of_xacro(document, symbol)
         return
-    node = _node(document, named)
+    plain = [each for each in descriptions_for(document) if each.kind is Kind.URDF]
+    node = _node(plain[0] if plain else document, named)
     if node is not None:
         if node.scoped_name != symbol.name:
             yield f"`{node.scoped_name}`"
@@ -138,6 +140,10 @@ def _mass(body: MassProperties) -> str:
 def _joint(joint: Joint) -> Iterator[str]:
     kind = joint.element.attributes.get("type", "") or "no type"
     yield f"{kind}: `{joint.parent_name or '?'}` → `{joint.child_name or '?'}`"
+    if joint.type in {"revolute", "prismatic"}:
+        low, high = joint.axis.limit.range
+        unit = "rad" if joint.type == "revolute" else "m"
+        yield f"from `{_number(low)}` to `{_number(high)}` {unit}"
 
 
 def element_of(document: Document, symbol: Symbol) -> Element | None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterator
-from itertools import repeat
+from itertools import groupby, repeat
+from operator import itemgetter
 from pathlib import Path
-from typing import Any
 
 from sdfcheck.files.uris import locate
 from sdfcheck.lsp.cursor import elements
@@ -28,20 +28,22 @@ _URIS = frozenset(
 )
 
 
+_NAMES = "|".join(
+    f"{first}(?:{'|'.join(name[1:] for name in names)})"
+    for first, names in groupby(sorted(_SHOWN), key=itemgetter(0))
+)
 _TAGS = re.compile(
-    rf"<(?:!--[\s\S]*?-->|!\[CDATA\[[\s\S]*?\]\]>|(?P<name>{'|'.join(sorted(_SHOWN))})(?=[\s/>])"
-    rf"(?P<inside>[^<>\"']*(?:(?:\"[^\"<]*\"|'[^'<]*')[^<>\"']*)*)>|/(?P<end>{'|'.join(sorted(_SHOWN))})\s*>)"
+    rf"<(?:({_NAMES})(?=[\s/>])([^<>\"']*(?:(?:\"[^\"<]*\"|'[^'<]*')[^<>\"']*)*)>"
+    rf"|/({_NAMES})\s*>|!--[\s\S]*?-->|!\[CDATA\[[\s\S]*?\]\]>)"
 )
 _LABELS = {
     label: re.compile(rf"(?:^|\s){label}\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
     for label in ("name", "filename", "reference", "type")
 }
+_OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
+"""The attribute that holds the name, where it is another one."""
 _TYPED = frozenset({"joint", "sensor", "light"})
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
-
-
-_NOTHING: list[Any] = []
-"""The parts of what has none; never changed."""
 
 
 class Entry:
@@ -49,12 +51,13 @@ class Entry:
 
     __slots__ = ("children", "detail", "end", "kind", "name", "place", "start")
 
-    def __init__(self, kind: str, start: int) -> None:
+    def __init__(self, kind: str, name: str, detail: str, start: int, place: tuple[int, int]) -> None:
         self.kind = kind
+        self.name = name
+        self.detail = detail
         self.start = self.end = start
-        self.name = self.detail = ""
-        self.place = start, start
-        self.children: list[Entry] = _NOTHING
+        self.place = place
+        self.children: list[Entry] = []
 
 
 def outline(source: Source) -> list[Entry]:
@@ -63,17 +66,17 @@ def outline(source: Source) -> list[Entry]:
     top: list[Entry] = []
     stack: list[Entry] = []
     for tag in _TAGS.finditer(text):
-        name, end = tag["name"], tag["end"]
+        name, inside, closed = tag.groups()
         if name is not None:
-            entry = _entry(name, tag)
-            if tag["inside"].endswith("/"):
+            entry = _entry(name, inside, tag.start())
+            if inside[-1:] == "/":
                 _close(entry, tag.end(), stack, top)
             else:
                 stack.append(entry)
-        elif end is not None and stack and stack[-1].kind == end:
+        elif closed is not None and stack and stack[-1].kind == closed:
             _close(stack.pop(), tag.end(), stack, top)
-        elif end is not None and any(each.kind == end for each in stack):
-            while stack[-1].kind != end:
+        elif closed is not None and any(each.kind == closed for each in stack):
+            while stack[-1].kind != closed:
                 _close(stack.pop(), tag.start(), stack, top)
             _close(stack.pop(), tag.end(), stack, top)
     while stack:
@@ -83,20 +86,21 @@ def outline(source: Source) -> list[Entry]:
     return top
 
 
-def _entry(name: str, tag: re.Match[str]) -> Entry:
-    entry = Entry(name, tag.start())
-    label = "filename" if name == "xacro:include" else "reference" if name == "gazebo" else "name"
-    inside, at = tag["inside"], tag.start("inside")
-    found = _LABELS[label].search(inside) if inside else None
-    if found is not None and found[1]:
-        entry.name = unescape(found[1]) if "&" in found[1] else found[1]
-        entry.place = at + found.start(1), at + found.end(1)
-    else:
-        entry.place = tag.start() + 1, tag.start() + 1 + len(name)
-    entry.detail = name
-    if name in _TYPED and (kind := _LABELS["type"].search(inside)) is not None:
-        entry.detail = f"{name} {kind[1]}".strip()
-    return entry
+def _entry(kind: str, inside: str, start: int) -> Entry:
+    at = start + 1 + len(kind)
+    label = _OTHERS.get(kind, "name")
+    name, first = "", 0
+    if inside[1:6] == "name=" and label == "name":  # as most are written
+        quoted = inside[7 : inside.find(inside[6], 7)]
+        name = quoted.strip()
+        first = 7 + quoted.find(name)
+    elif inside and (match := _LABELS[label].search(inside)) is not None:
+        name, first = match[1], match.start(1)
+    place = (at + first, at + first + len(name)) if name else (start + 1, at)
+    detail = kind
+    if kind in _TYPED and (typed := _LABELS["type"].search(inside)) is not None:
+        detail = f"{kind} {typed[1]}".strip()
+    return Entry(kind, unescape(name) if "&" in name else name, detail, start, place)
 
 
 def _close(entry: Entry, end: int, stack: list[Entry], top: list[Entry]) -> None:
@@ -104,12 +108,7 @@ def _close(entry: Entry, end: int, stack: list[Entry], top: list[Entry]) -> None
     entry.end = end
     if entry.kind == "material" and not entry.name and not entry.children:
         return
-    if not stack:
-        top.append(entry)
-    elif stack[-1].children:
-        stack[-1].children.append(entry)
-    else:
-        stack[-1].children = [entry]
+    (stack[-1].children if stack else top).append(entry)
 
 
 def _name_includes(entry: Entry, text: str) -> None:
@@ -124,28 +123,27 @@ def _name_includes(entry: Entry, text: str) -> None:
         one.name = one.name or one.kind
 
 
-class Fold(NamedTuple):
-    """A range of lines, from 0, that can be folded away."""
-
-    first: int
-    last: int
-    is_comment: bool
+Fold = tuple[int, int, bool]
+"""A range of lines, from 0, that can be folded away, and whether it is a comment."""
 
 
 def folds(document: Document) -> list[Fold]:
     """The elements and comments of several lines."""
-    lines, scan = document.source.line_starts, document.scan
-    found: dict[int, Fold] = {}
+    lines, scan = [*document.source.line_starts, len(document.source.text) + 1], document.scan
+    found: dict[int, tuple[int, bool]] = {}
     firsts = map(bisect_right, repeat(lines), scan.starts)
-    lasts = map(bisect_right, repeat(lines), scan.closes)
-    for first, last in zip(firsts, lasts, strict=True):
-        if last > first + 1 and first - 1 not in found:
-            found[first - 1] = Fold(first - 1, last - 2, False)
+    for first, close in zip(firsts, scan.closes, strict=True):
+        if (
+            lines[first] <= close
+            and first - 1 not in found
+            and (last := bisect_right(lines, close, first)) > first + 1
+        ):
+            found[first - 1] = last - 2, False
     for start, end in scan.comments:
         first, last = bisect_right(lines, start) - 1, bisect_right(lines, end) - 1
-        if last > first:
-            found.setdefault(first, Fold(first, last, True))
-    return [found[line] for line in sorted(found)]
+        if last > first and first not in found:
+            found[first] = last, True
+    return [(first, last, is_comment) for first, (last, is_comment) in sorted(found.items())]
 
 
 class Link(NamedTuple):

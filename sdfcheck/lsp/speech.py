@@ -22,6 +22,9 @@ from sdfcheck.source.text import Source, Span
 NAME = "sdfcheck"
 _NOT_ENCODED = re.compile("[\ud800-\udfff]")
 
+_DIGITS = [str(number) for number in range(256)]
+"""Small numbers, written: columns, of which a long answer has many."""
+
 _SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,
     Severity.WARNING: types.DiagnosticSeverity.Warning,
@@ -90,20 +93,27 @@ class Speech:
         source = span.source
         return types.Range(self.position(source, span.start), self.position(source, span.end))
 
-    def written_places(self, source: Source) -> Callable[[int, int], str]:
-        """A function that writes the range between two characters of a text."""
+    def written_places(self, source: Source) -> Callable[[int, int, int, int], str]:
+        """A function that writes two ranges of a text: of something, and of its name."""
         starts = source.line_starts
         is_plain = self.units is Units.UTF32 or source.text.isascii()
 
-        def written(start: int, end: int) -> str:
-            if is_plain:
-                first = bisect_right(starts, start) - 1
-                last = bisect_right(starts, end, first) - 1
-                column, close = start - starts[first], end - starts[last]
-            else:
-                first, column = place_of(source, start, self.units)
-                last, close = place_of(source, end, self.units)
-            return f'{{"start":{{"line":{first},"character":{column}}},"end":{{"line":{last},"character":{close}}}}}'
+        def written(start: int, end: int, name: int, close: int) -> str:
+            line = bisect_right(starts, start)
+            before = starts[line - 1]
+            last = bisect_right(starts, end, line - 1) - 1
+            column, d = end - starts[last], close - before
+            is_short = d < len(_DIGITS) and column < len(_DIGITS)
+            if is_plain and is_short and (line == len(starts) or close < starts[line]):  # as most are
+                row = f'{{"line":{line - 1},"character":'
+                return (
+                    f'"range":{{"start":{row}{_DIGITS[start - before]}}},'
+                    f'"end":{{"line":{last},"character":{_DIGITS[column]}}}}},'
+                    f'"selectionRange":{{"start":{row}{_DIGITS[name - before]}}},"end":{row}{_DIGITS[d]}}}}}'
+                )
+            places = [place_of(source, each, self.units) for each in (start, end, name, close)]
+            a, b, c, e = (f'{{"line":{each.line},"character":{each.column}}}' for each in places)
+            return f'"range":{{"start":{a},"end":{b}}},"selectionRange":{{"start":{c},"end":{e}}}'
 
         return written
 

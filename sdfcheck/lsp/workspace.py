@@ -26,8 +26,9 @@ from sdfcheck.source.wrong_usage import WrongUsage
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.static.definitions import Reading, is_robot
 
-MOST_EXPANSIONS = 8
-"""So many expansions are remembered."""
+MOST_EXPANSIONS = 48
+MOST_EXPANDED = 2_000_000
+"""So many expansions are remembered, with so many characters in all, but two in any case."""
 
 
 class Choices(NamedTuple):
@@ -304,6 +305,14 @@ class LiveExpander(Expander):
         self._dropped.append(self._known.pop(request).expansion)
         return None
 
+    def lately(self, document: Document, arguments: Mapping[str, str]) -> Expansion | None:
+        """The last expansion of a document, also of an earlier text; None where it was not expanded."""
+        for is_partial in (False, True):
+            known = self._known.get(self._request(document, arguments, is_partial))
+            if known is not None and known.expansion.document is not None:
+                return known.expansion
+        return None
+
     def tried(self, document: Document, arguments: Mapping[str, str], texts: Mapping[str, str]) -> Expansion:
         """The expansion that a document would have with other texts in the files at some absolute paths."""
         around = self.surroundings
@@ -331,9 +340,18 @@ class LiveExpander(Expander):
         own = {path: texts[path] for path in map(os.path.abspath, made.files) if path in texts}
         request = self._request(document, arguments, is_partial)
         self._known[request] = _Known(document.source.text, own, made)
-        while len(self._known) > MOST_EXPANSIONS:
-            self._dropped.append(self._known.pop(next(iter(self._known))).expansion)
+        self._limit()
         return made
+
+    def _limit(self) -> None:
+        """Forget what was asked for longest ago."""
+        sizes = [len(known.expansion.text or "") for known in self._known.values()]
+        total = sum(sizes)
+        for size in sizes[:-2]:
+            if total <= MOST_EXPANDED and len(self._known) <= MOST_EXPANSIONS:
+                return
+            total -= size
+            self._dropped.append(self._known.pop(next(iter(self._known))).expansion)
 
 
 class _Texts(Mapping[str, str]):

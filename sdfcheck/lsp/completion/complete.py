@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sdfcheck.formats import usual
@@ -50,6 +51,8 @@ _KEYWORDS = {
     "xacro:include": 0.1,
 }
 """The elements that can be written next to calls anywhere, and how likely that is."""
+MANY = 8
+"""Of so many words one often follows the one before it."""
 _BEFORE_END = 5
 """So many elements are suggested before the end of the one around."""
 
@@ -78,6 +81,7 @@ class _Completer:
         self.written = where.around
         self.offset = offset
         is_robot = where.around[:1] == ("robot",) or where.tag == "robot"
+        is_robot = is_robot or (buffer.kind is Kind.XACRO and where.around[:1] not in {(), ("sdf",)})
         self.is_srdf = buffer.kind is Kind.SRDF and is_robot
         self.is_urdf = is_robot and not self.is_srdf
         self.is_xacro = buffer.kind is Kind.XACRO or "xmlns:xacro" in buffer.source.text[:4096]
@@ -136,7 +140,7 @@ class _Completer:
         if self.is_xacro and around:
             found += xacro_elements(self.visible)
         found += seen_items(self.usage.seen_elements(), "in this file")
-        if not is_known:
+        if not is_known or around[-1:] == ("plugin",):
             found += seen_items(usual.children(self.dialect, around[-1] if around else ""), "")
         return self._with_end(self._sorted_elements(found))
 
@@ -178,7 +182,7 @@ class _Completer:
         found: list[Item] = []
         if self.is_srdf:
             found += semantic_attributes(self.where)
-        else:
+        elif not tag.startswith("xacro:"):
             found += control_attributes(self.where)
             found += attribute_items(self.where, self.version, is_urdf=self.is_urdf)
         if self.is_xacro and tag.startswith("xacro:"):
@@ -200,6 +204,10 @@ class _Completer:
         choices = list(given)
         choices += self._usual_words(place, {item.label for item in choices})
         scores = self.usage.word_scores(place, {item.label for item in choices}, self.dialect)
+        labels = [item.label for item in choices]
+        last = self.usage.neighbors(place, self.offset)[0][:1] if len(labels) > MANY else []
+        if last and last[0] in labels[:-1]:  # words that are written one after the other
+            scores[labels[labels.index(last[0]) + 1]] += 1
         near = words_in(" ".join(value for _, value in where.given))
         scores = {
             name: score + bool(words_in(name) and words_in(name) <= near) for name, score in scores.items()
@@ -219,6 +227,10 @@ class _Completer:
 
     def _usual_words(self, place: str, known: set[str]) -> Iterator[Item]:
         """Words for a place whose words are not in the format, or that the text has there."""
+        if place.endswith("_interface@name"):
+            yield from (
+                Item(word, Sort.CHOICE, word) for word in dict.fromkeys(self.usage.seen_values(place))
+            )
         if known and known <= {"true", "false"}:
             if self.usage.has_digits:
                 yield from (Item(word, Sort.CHOICE, word) for word in ("1", "0"))
@@ -262,7 +274,12 @@ class _Completer:
         """Names for an expression: those that expressions nearby use, and that are called like the place."""
         text, start = self.buffer.source.text, max(0, self.offset - 4000)
         scores = dict.fromkeys(names, 0.0)
-        near = words_in(f"{self.where.attribute} {self.where.tag} {dict(self.where.given).get('name', '')}")
+        attribute = self.where.attribute
+        near = words_in(f"{attribute} {self.where.tag} {dict(self.where.given).get('name', '')}")
+        uses = Counter(
+            found for match in re.findall(expression, text) for found in set(re.findall(word, match))
+        )
+        flags = self._flags() if self.where.tag in {"xacro:if", "xacro:unless"} else set()
         for match in re.finditer(expression, text[start : self.offset + 4000]):
             distance = abs(start + match.start() - self.offset)
             for found in re.findall(word, match[0]):
@@ -271,9 +288,15 @@ class _Completer:
                     near |= words_in(found) if distance < 300 else set()
         for name in names:
             own = words_in(name)
-            scores[name] += 2 * len(own & near) / max(1, len(own)) + (name == self.where.attribute)
-            scores[name] += text.count(name) < 2
+            scores[name] += 2 * len(own & near) / max(1, len(own)) + (name == attribute)
+            scores[name] += (uses[name] == 0) + 1.5 * name.endswith(f"_{attribute}") + 0.5 * (name in flags)
         return _ordered((Item(name, Sort.PROPERTY, name) for name in sorted(names)), scores)
+
+    def _flags(self) -> set[str]:
+        """The arguments that are true or false by default."""
+        read = (each for visible in self.visible for each in visible.readings)
+        known = ((name, default) for each in read for name, default in each.arguments.items())
+        return {name for name, default in known if default.strip().lower() in {"true", "false", "0", "1"}}
 
 
 def _ordered(items: Iterable[Item], scores: Mapping[str, float]) -> list[Item]:

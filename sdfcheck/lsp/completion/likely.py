@@ -122,6 +122,10 @@ class Usage:
         """The attributes that the text has in the same element elsewhere."""
         return sorted(self.attributes.get(tag, ()))
 
+    def seen_values(self, place: str) -> list[str]:
+        """The values that the text has in the same place elsewhere."""
+        return [value for _, value in self.values.get(place, ()) if value and "$" not in value]
+
     @property
     def has_digits(self) -> bool:
         """Does the text write 1 and 0 for true and false?"""

@@ -11,8 +11,9 @@ from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.likely import Usage, words_in
+from sdfcheck.lsp.completion.semantics import Tree, semantic_scores
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.lsp.names.expanded import expansions, plain, roots_of
+from sdfcheck.lsp.names.expanded import Expanded, expansions, plain, roots_of
 from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.graph import Model, Scope
@@ -109,23 +110,51 @@ def name_items(
     kinds = wanted(context, dialect)
     if not kinds or document.root is None:
         return []
-    items = list(_candidates(workspace, document, context, offset, kinds))
-    order = Order(document.source.text, context, offset, usage, items)
-    return sorted(items, key=lambda item: (-order.score(item), item.rank))
+    made = _made(workspace, document)
+    near = [value for values in usage.neighbors(place_of(context), offset) for value in values]
+    # In a macro people write names with its parameters, unless they do not.
+    is_written = "xacro:macro" in context.around and (not near or any("$" in value for value in near))
+    items = list(_candidates(made, document, context, offset, kinds, is_written=is_written))
+    order = Order(document.source.text, context, offset, usage, items, is_written=is_written)
+    more: dict[str, float] = {}
+    if document.kind is Kind.SRDF:
+        names, tree = [item.label for item in items], Tree(one.document for one in made)
+        more = semantic_scores(document.source.text, context, offset, usage, names, tree)
+    return sorted(items, key=lambda item: (-order.score(item) - more.get(item.label, 0.0), item.rank))
+
+
+def place_of(context: Context) -> str:
+    """The element, with the attribute, that the cursor is in."""
+    return f"{context.tag}@{context.attribute}" if context.attribute else context.tag
+
+
+def _made(workspace: Workspace, document: Document) -> list[Expanded]:
+    """The robots that SRDF is about, or that a file is expanded to or part of."""
+    found: list[Expanded] = []
+    if document.kind is Kind.XACRO:
+        return expansions(workspace, roots_of(document)[:2], turned=False, lately=True)
+    for robot in robots_about(workspace, document) if document.kind is Kind.SRDF else ():
+        made = expansions(workspace, roots_of(robot), turned=False) if is_made(robot) else [plain(robot)]
+        found += made[:1]
+    return found
 
 
 def _candidates(
-    workspace: Workspace, document: Document, context: Context, offset: int, kinds: tuple[str, ...]
+    made: Iterable[Expanded],
+    document: Document,
+    context: Context,
+    offset: int,
+    kinds: tuple[str, ...],
+    *,
+    is_written: bool,
 ) -> Iterator[Item]:
     if is_made(document) or document.kind is Kind.SRDF:
         names: dict[tuple[str, str], None] = {}
-        for robot in robots_about(workspace, document):
-            made = expansions(workspace, roots_of(robot), turned=False) if is_made(robot) else [plain(robot)]
-            names.update(
-                dict.fromkeys((name, kind) for one in made[:1] for kind, name in one.by_name if kind in kinds)
-            )
+        expanded = [(name, kind) for one in made for kind, name in one.by_name if kind in kinds]
+        if document.kind is Kind.SRDF or not is_written:
+            names.update(dict.fromkeys(expanded))
         for each in occurrences(document).all:
-            if each.symbol.kind in kinds and not _is_at(each, offset):
+            if each.symbol.kind in kinds and not _is_at(each, offset) and not _is_no_block(each):
                 name = each.span.text.strip() if document.kind is Kind.SRDF else each.symbol.name
                 names.setdefault((name, each.symbol.kind))
         yield from (Item(name, Sort.NAME, name, detail=kind, rank=2) for name, kind in names)
@@ -136,6 +165,12 @@ def _candidates(
     yield from _tags(document, kinds)
 
 
+def _is_no_block(occurrence: Occurrence) -> bool:
+    """Is it a parameter that no block is given for? The others are written with a star."""
+    span = occurrence.symbol.span
+    return occurrence.symbol.kind == "parameter" and not span.source.text[: span.start].endswith("*")
+
+
 def _is_at(occurrence: Occurrence, offset: int) -> bool:
     return occurrence.span.start <= offset <= occurrence.span.end
 
@@ -143,14 +178,25 @@ def _is_at(occurrence: Occurrence, offset: int) -> bool:
 class Order:
     """Which of several names is likely at a place: what its neighbors name, what is defined nearby, what is alike."""
 
-    def __init__(self, text: str, context: Context, offset: int, usage: Usage, items: Sequence[Item]) -> None:
+    def __init__(
+        self,
+        text: str,
+        context: Context,
+        offset: int,
+        usage: Usage,
+        items: Sequence[Item],
+        *,
+        is_written: bool,
+    ) -> None:
+        self.is_written = is_written
         self.offset = offset
         self.text = text
-        place = f"{context.tag}@{context.attribute}" if context.attribute else context.tag
+        place = place_of(context)
         self.before, self.after = usage.neighbors(place, offset)
         self.numbers = {item.label: number for number, item in enumerate(items)}
         self.alphabet = {name: number for number, name in enumerate(sorted(self.numbers))}
-        holder = _holder(text, context, offset)
+        is_top = "<group" in text and context.around == ("robot",)
+        holder = [""] if is_top else _holder(text, context, offset)
         self.words = words_in(" ".join(holder))
         self.others = set(holder[1:])
         self.place = place
@@ -160,30 +206,19 @@ class Order:
         self.used = set(self.before + self.after) if place in _ONCE else set()
         if place in _ONCE_IN_BLOCK:
             self.used = set(re.findall(r"<" + context.tag + r"\b[^<>]*?[\"']([^\"'<>]+)[\"']", block))
-        self.pairs = self._pairs(context)
+        self.children = set(_CHILD.findall(text)) if place == "parent@link" else set()
         self.places = {name: _nearest(text, name, offset) for name in self.numbers}
         distances = sorted(set(self.places.values()))
         self.ranks = {distance: number for number, distance in enumerate(distances)}
-
-    def _pairs(self, context: Context) -> dict[str, int]:
-        """Of the links that are not paired with the first one yet: how many come before each, from the last on."""
-        if context.attribute != "link2":
-            return {}
-        first = dict(context.given).get("link1", "")
-        known = set(re.findall(rf'link1="{re.escape(first)}"\s+link2="([^"]*)"', self.text)) | {first}
-        self.used |= known
-        last = self.before[0] if self.before and self.before[0] in known else first
-        free = [name for name in sorted(self.numbers) if name not in known]
-        later = [name for name in free if name > last]
-        return {name: number for number, name in enumerate(later)}
 
     def score(self, item: Item) -> float:
         """How likely a name is."""
         name = item.label
         score = 0.0 if item.rank <= 3 or name in (*self.before[:2], *self.after[:2]) else -2.0
         score -= 3 * (name in self.used or name in self.others)
-        score -= item.detail == "joint" and self.place in {"parent", "child"}
-        score += 0.5 / (1 + self.pairs[name] / 3) if name in self.pairs else 0.0
+        score -= item.detail == "joint" and self.place in {"parent", "child", "gazebo@reference"}
+        score += 0.6 * bool(self.children and name not in self.children)  # a root has many children
+        score -= 2 * ("$" in name and not self.is_written)
         if not self.is_semantic:
             score += 1.5 / (1 + self.ranks[self.places[name]])
         if not self.is_once:
@@ -197,6 +232,7 @@ class Order:
         return score + 1.5 * len(own & self.words) / max(1, len(own | self.words))
 
 
+_CHILD = re.compile(r"<child\s+link\s*=\s*[\"']([^\"']+)[\"']")
 _ONCE = frozenset({"child@link", "child"})
 """Where each name is written once in a whole robot."""
 _SEMANTIC = frozenset(f"{element}@{attribute}" for element, attribute in srdf.references())

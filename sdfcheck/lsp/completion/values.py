@@ -14,6 +14,11 @@ from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import plain
 
 _INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
+_SENSED = tuple(
+    f"{quantity}.{axis}"
+    for quantity in ("force", "torque", "position", "orientation", "angular_velocity", "linear_acceleration")
+    for axis in ("xyzw" if quantity == "orientation" else "xyz")
+)
 _HARDWARE = {
     "gz_ros2_control/GazeboSimSystem": "Gazebo",
     "ign_ros2_control/IgnitionSystem": "Gazebo Fortress",
@@ -44,7 +49,7 @@ def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterato
         for name in _SYSTEMS:
             yield Item(f"gz-sim-{name}-system", Sort.FILE, f"gz-sim-{name}-system", detail="Gazebo")
         return
-    if "ros2_control" in context.around:
+    if "ros2_control" in context.around or tag.endswith("_interface"):
         yield from _of_control(context)
         return
     yield from _of_format(context, version)
@@ -59,7 +64,8 @@ def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterato
 def _of_control(context: Context) -> Iterator[Item]:
     tag, attribute = context.tag, context.attribute
     if tag in {"command_interface", "state_interface"} and attribute == "name":
-        yield from (Item(name, Sort.CHOICE, name, rank=2) for name in _INTERFACES)
+        names = _SENSED if "sensor" in context.around else _INTERFACES
+        yield from (Item(name, Sort.CHOICE, name, rank=2) for name in names)
     elif tag == "plugin" and context.where is Where.TEXT:
         yield from (Item(name, Sort.CHOICE, name, detail=what, rank=2) for name, what in _HARDWARE.items())
 

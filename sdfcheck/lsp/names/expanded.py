@@ -14,6 +14,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Span
+from sdfcheck.xacro.expansion import Expansion
 from sdfcheck.xacro.language import matches
 from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
 from sdfcheck.xacro.static.project import includers
@@ -132,11 +133,16 @@ def roots_of(document: Document) -> list[Document]:
 
 
 def expansions(
-    workspace: Workspace, roots: Iterable[Document], *, only_known: bool = False, turned: bool = True
+    workspace: Workspace,
+    roots: Iterable[Document],
+    *,
+    only_known: bool = False,
+    turned: bool = True,
+    lately: bool = False,
 ) -> list[Expanded]:
     """The expansions of files as they are configured, and with their switches ``turned``.
 
-    ``only_known``: only those that need no work, for answers that cannot wait.
+    ``only_known``: only those that need no work, for answers that cannot wait; ``lately``: those of earlier texts do.
     """
     found = []
     for root in roots:
@@ -148,7 +154,8 @@ def expansions(
         if turned and not only_known:
             wanted += [{**wanted[0], **switch} for switch in _switches(root)]
         for arguments in wanted:
-            own = _expanded(expander, root, arguments, only_known=only_known)
+            earlier = expander.lately(root, arguments) if lately else None
+            own = _expanded(expander, root, arguments, only_known=only_known, made=earlier)
             if own is not None:
                 found.append(own)
     return found
@@ -165,10 +172,15 @@ def _switches(root: Document) -> list[dict[str, str]]:
 
 
 def _expanded(
-    expander: LiveExpander, root: Document, arguments: Mapping[str, str], *, only_known: bool
+    expander: LiveExpander,
+    root: Document,
+    arguments: Mapping[str, str],
+    *,
+    only_known: bool,
+    made: Expansion | None = None,
 ) -> Expanded | None:
     ask = expander.known if only_known else expander.expand
-    made, is_partial = ask(root, arguments), False
+    made, is_partial = made or ask(root, arguments), False
     if made is not None and made.document is None:
         is_partial = True
         made = (

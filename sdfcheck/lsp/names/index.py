@@ -8,11 +8,12 @@ from collections.abc import Iterable, Iterator
 from itertools import accumulate, islice
 from pathlib import Path
 
+from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.lsp.names.expanded import Expanded, Key, expansions, place_of, plain, roots_of
 from sdfcheck.lsp.names.srdf_names import descriptions_for, srdf_names
-from sdfcheck.lsp.names.xacro_names import xacro_names
+from sdfcheck.lsp.names.xacro_names import Known, xacro_names
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names
 from sdfcheck.robot.semantics.robots import descriptions_of
@@ -20,15 +21,19 @@ from sdfcheck.robot.semantics.semantics import Semantics
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Span
+from sdfcheck.xacro.static.definitions import visible_definitions
 
 MOST_FILES = 5_000
 """So many files of a project are searched for a name, no more."""
 LARGEST = 16 * MEGABYTE
+MOST_SEMANTICS = 1_000
+"""So many SRDF files of a project are looked at."""
 MOST_TRIED = 2
 """So many robots are expanded to find the one that SRDF is about."""
 
 IN_XACRO = frozenset({"macro", "property", "parameter", "argument"})
 """The kinds of names that are xacro's own."""
+_ROS = frozenset({Kind.URDF, Kind.SRDF})
 _NAMING = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF})
 
 
@@ -84,41 +89,90 @@ def occurrences(document: Document) -> Occurrences:
 # A name, wherever it is
 
 
-def _unique(spans: Iterable[Span]) -> list[Span]:
-    return list({place_of(span): span for span in spans}.values())
-
-
 def definitions(workspace: Workspace, document: Document, named: Occurrence) -> list[Span]:
     """The places where what is named gets its name; empty where they are not known."""
-    if named.symbol.kind not in IN_XACRO and is_made(document):
-        found = _by_expansion(workspace, document, named)
-        own = [each.span for each in found if each.is_definition]
-        if own:
-            return _unique(own)
     symbol = named.symbol
-    if symbol.span == named.span and not named.is_definition:
-        return _in_robots(workspace, document, symbol)
-    return [symbol.span]
+    is_open = symbol.span == named.span and not named.is_definition
+    if symbol.kind not in IN_XACRO and (is_made(document) or (is_open and document.kind in _ROS)):
+        for turned in (False, True):
+            found = list(_definitions(workspace, document, named, turned=turned))
+            if found:
+                return list({place_of(span): span for span in found}.values())
+    if not is_open or document.kind is not Kind.SRDF:
+        return [] if is_open else [symbol.span]
+    known = Known([visible_definitions(robot) for robot in robots_about(workspace, document)])
+    alike = known.part((symbol.kind,), symbol.name, None)
+    return [alike.span] if alike is not None else []
 
 
-def _in_robots(workspace: Workspace, document: Document, symbol: Symbol) -> list[Span]:
-    """The definitions, in the robot that SRDF is about, of what it names."""
-    found: list[Span] = []
-    for robot in robots_about(workspace, document):
-        for one in expansions(workspace, [robot], turned=False) if is_made(robot) else [plain(robot)]:
-            rows = one.by_name.get((symbol.kind, symbol.name), ())
-            found += (row.span for row in rows if row.is_definition)
-    return _unique(found)
+def _definitions(
+    workspace: Workspace, document: Document, named: Occurrence, *, turned: bool
+) -> Iterator[Span]:
+    for root, names, rows in _shared(workspace, document, named, turned=turned):
+        own = [each.span for each in rows if each.is_definition]
+        robots = robots_about(workspace, root) if not own else []
+        own += (each.span for each in _rows(_made(workspace, robots), names) if each.is_definition)
+        yield from own
+
+
+def references(workspace: Workspace, document: Document, named: Occurrence) -> list[Occurrence]:
+    """Every place where the same is named, as it is written and as it is expanded."""
+    found = everywhere(workspace, document, named.symbol)
+    if named.symbol.kind not in IN_XACRO and (is_made(document) or document.kind in _ROS):
+        for root, names, rows in _shared(workspace, document, named):
+            others = robots_about(workspace, root)
+            others += semantics_of(workspace, root, [name for _, name in names]) if not others else []
+            found += [*rows, *_rows(_made(workspace, others), names)]
+    return list({place_of(each.span): each for each in found}.values())
+
+
+def _made(workspace: Workspace, roots: Iterable[Document], *, turned: bool = False) -> list[Expanded]:
+    """Files as they are expanded, or as they are."""
+    return [
+        one
+        for root in roots
+        for one in (expansions(workspace, [root], turned=turned) if is_made(root) else [plain(root)])
+    ]
+
+
+def _rows(made: Iterable[Expanded], names: Iterable[Key]) -> list[Occurrence]:
+    names = list(names)
+    return [row for one in made for name in names for row in one.by_name.get(name, ())]
+
+
+def _shared(
+    workspace: Workspace, document: Document, named: Occurrence, *, turned: bool = True
+) -> Iterator[tuple[Document, list[Key], list[Occurrence]]]:
+    """The robots, or semantics, that a place is in: the names that it expands to, and where else they are."""
+    for root in roots_of(document):
+        made = _made(workspace, [root], turned=turned)
+        names = list(dict.fromkeys(name for one in made for name in names_at(one, named.span)))
+        yield root, names, _rows(made, names)
+
+
+# Semantics and robots
 
 
 def robots_about(workspace: Workspace, document: Document) -> list[Document]:
-    """The robots that an SRDF document is about, by what their files say, else by what they expand to."""
-    found = descriptions_for(document)
-    if found or document.kind is not Kind.SRDF or document.root is None:
-        return found
+    """The robots that SRDF is about: that of a document, or those that it is included in."""
+    found: dict[str, Document] = {}
+    for root in roots_of(document):
+        made = _made(workspace, [root])
+        semantics = made[0].document if made else root
+        if semantics.kind is Kind.SRDF and semantics.root is not None:
+            for robot in descriptions_for(semantics) or _by_their_names(workspace, semantics):
+                found.setdefault(robot.source.real_path, robot)
+    return list(found.values())
+
+
+def _by_their_names(workspace: Workspace, document: Document) -> list[Document]:
+    """The first robot that expands to half of what an SRDF document names, by a file that does not show it."""
     known = document.view(_no_robots)
     if not known:
-        known.append(_by_their_names(workspace, document))
+        wanted = {(part.kind, part.value.text.strip()) for part in document.view(Semantics).named}
+        candidates = islice(filter(is_made, descriptions_of(document.view(Semantics))), MOST_TRIED)
+        made = (one for robot in candidates for one in _made(workspace, [robot])[:1])
+        known.append([one.root for one in made if 2 * len(wanted & one.by_name.keys()) >= len(wanted)][:1])
     return known[0]
 
 
@@ -126,33 +180,24 @@ def _no_robots(_: Document) -> list[list[Document]]:
     return []
 
 
-def _by_their_names(workspace: Workspace, document: Document) -> list[Document]:
-    """The first robot of its name that expands to half of what an SRDF document names."""
-    wanted = {(part.kind, part.value.text.strip()) for part in document.view(Semantics).named}
-    for robot in islice(filter(is_made, descriptions_of(document.view(Semantics))), MOST_TRIED):
-        for one in expansions(workspace, [robot], turned=False)[:1]:
-            if 2 * len(wanted & one.by_name.keys()) >= len(wanted):
-                return [robot]
-    return []
-
-
-def references(workspace: Workspace, document: Document, named: Occurrence) -> list[Occurrence]:
-    """Every place where the same is named, as it is written and as it is expanded."""
-    found = everywhere(workspace, document, named.symbol)
-    if named.symbol.kind not in IN_XACRO and is_made(document):
-        found = [*_by_expansion(workspace, document, named), *found]
-    return list({place_of(each.span): each for each in found}.values())
-
-
-def _by_expansion(workspace: Workspace, document: Document, named: Occurrence) -> list[Occurrence]:
-    """The places that have a name in common with one, in the expansions of any robot that it is in."""
-    found: list[Occurrence] = []
-    for root in roots_of(document):
-        made = expansions(workspace, [root]) if is_made(root) else [plain(root)]
-        wanted = {name: None for one in made for name in names_at(one, named.span)}
-        for one in made:
-            for name in wanted:
-                found += one.by_name.get(name, ())
+def semantics_of(workspace: Workspace, robot: Document, names: Iterable[str] | None = None) -> list[Document]:
+    """The SRDF files of a project that are about a robot; with names, those that are made or hold one of them."""
+    library = library_of(robot)
+    if library is None:
+        return []
+    packages = library.packages(robot.path)
+    paths = [
+        *packages.files(".srdf", MOST_SEMANTICS),
+        *(path for path in packages.files(".xacro", MOST_SEMANTICS) if ".srdf" in path.name),
+    ]
+    names = None if names is None else list(names)
+    found = []
+    for each in filter(None, (library.document(path, Kind.SRDF) for path in paths)):
+        text = each.source.text
+        if names is None or is_made(each) or any(name in text for name in names):
+            own = robots_about(workspace, each)
+            if any(other.source.real_path == robot.source.real_path for other in own):
+                found.append(each)
     return found
 
 

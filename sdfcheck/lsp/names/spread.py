@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import zip_longest
+from itertools import chain, zip_longest
 
 from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.names.expanded import (
@@ -19,8 +19,7 @@ from sdfcheck.lsp.names.expanded import (
     rows_of,
     total,
 )
-from sdfcheck.lsp.names.index import is_made, robots_about
-from sdfcheck.lsp.names.srdf_names import semantics_of
+from sdfcheck.lsp.names.index import is_made, robots_about, semantics_of
 from sdfcheck.lsp.names.xacro_names import namings
 from sdfcheck.lsp.workspace import LiveExpander, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, name_refusal
@@ -47,22 +46,29 @@ class Spread:
     def __init__(self, workspace: Workspace, document: Document) -> None:
         self.workspace = workspace
         self.document = document
-        starts = [document]
-        if document.kind is Kind.SRDF:
-            starts += robots_about(workspace, document)
-        self.roots = _unique(root for start in starts for root in roots_of(start))
-        self.is_needed = document.kind in {Kind.URDF, Kind.XACRO, Kind.SRDF} and (
-            is_made(document) or any(is_made(root) for root in self.roots) or document.kind is Kind.SRDF
-        )
+        own = roots_of(document)
+        robots = robots_about(workspace, document) if document.kind is Kind.SRDF else own
+        about = own if document.kind is Kind.SRDF else []
+        self.others: dict[str, list[Document]] = {}
+        """Real path of a robot → the semantics about it."""
+        for robot in _unique(root for each in robots for root in roots_of(each)):
+            if robot.kind in {Kind.URDF, Kind.XACRO}:
+                self.others[robot.source.real_path] = _unique([*about, *semantics_of(workspace, robot)])
+        self.roots = _unique(chain(own, (root for robot in robots for root in roots_of(robot))))
+        self.is_needed = document.kind in {Kind.XACRO, Kind.SRDF} or any(map(is_made, self._every))
         self.edits: dict[Place, TextEdit] = {}
         self.all: list[Expanded] = []
         self._names: list[dict[Key, str]] = []
         self._waiting: list[tuple[int, Key]] = []
 
+    @property
+    def _every(self) -> list[Document]:
+        """The robots and the semantics."""
+        return _unique(chain(self.roots, *self.others.values()))
+
     def _expand(self) -> None:
         """Expand the robots, and the semantics that are about them."""
-        others = semantics_of(self.document, self.roots)
-        roots = _unique([*self.roots, *others])
+        roots = self._every
         self.all = [
             *(plain(root) for root in roots if not is_made(root)),
             *expansions(self.workspace, [root for root in roots if is_made(root)]),
@@ -142,9 +148,18 @@ class Spread:
         own = self.all[number]
         for other, one in enumerate(self.all):
             is_other = (one.document.kind is Kind.SRDF) != (own.document.kind is Kind.SRDF)
-            is_about = is_other and one.name == own.name and kind in {"link", "joint"}
+            is_about = is_other and self._is_about(one.root, own.root) and kind in {"link", "joint"}
             if other != number and (one.root is own.root or is_about):
                 yield other
+
+    def _is_about(self, one: Document, other: Document) -> bool:
+        """Is one of two files about the robot of the other?"""
+        pairs = ((one, other), (other, one))
+        return any(
+            each.source.real_path == b.source.real_path
+            for a, b in pairs
+            for each in self.others.get(a.source.real_path, ())
+        )
 
     def _check(self, one: Expanded, key: Key, name: str) -> None:
         kind = key[0]

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.formats.srdf import references
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
+from sdfcheck.robot.semantics.occurrences import own_kind
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
@@ -34,7 +35,7 @@ _REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
 }
 """Element and attribute → the kinds of what they refer to."""
 _TEXTS = frozenset({"parent", "child"})
-_DEFINED = frozenset({"link", "joint", "frame", "model", "group", "virtual_joint"})
+_DEFINED = frozenset({"link", "joint", "frame", "model", "group"})
 _HOLDERS_OF_JOINTS = frozenset({"transmission", "ros2_control", "mimic", "group", "group_state"})
 
 
@@ -59,8 +60,8 @@ def namings(element: Element) -> Iterator[Naming]:
     value = element.attribute("name")
     if value is None or not value.text.strip():
         return
-    if name in _DEFINED:
-        kind = "joint" if name == "virtual_joint" else name
+    kind = name if name in _DEFINED else own_kind(element)
+    if kind:
         yield Naming(value, (kind,), not _is_reference(element))
     elif name == "material":
         yield Naming(value, ("material",), bool(element.nodes))

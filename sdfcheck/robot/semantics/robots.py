@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.files.library import library_of
+from sdfcheck.files.library import Library, library_of
 from sdfcheck.files.packages import Packages
+from sdfcheck.files.regular import read_regular
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics.semantics import Semantics, names
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import is_expression
+from sdfcheck.xacro.language import matches
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model
@@ -24,6 +27,9 @@ MOST_ROBOTS = 6
 """So many files of a project are looked at, and so many robots compared."""
 
 _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
+_DECLARED = re.compile(
+    r"^ *urdf:\s*?\n\s*package: *([\w.-]+)\s*?\n\s*relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
+)
 _FEWEST = 0.5
 """A robot is not the one that is meant if it has fewer of the names."""
 
@@ -87,20 +93,56 @@ def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
 
 
 def descriptions_of(semantics: Semantics) -> Iterator[Document]:
-    """The documents of robots with the name of an SRDF file, as they are written, the nearest first."""
+    """The documents of robots that an SRDF file may be about, as they are written.
+
+    First the one for which MoveIt's assistant made the file, then those that are called like the file or have the
+    name of its robot, the nearest first.
+    """
     library = library_of(semantics.document)
     if library is None or not semantics.name:
         return
+    declared = list(_declared(semantics, library.packages(semantics.document.path)))
+    stem, seen = _stem(semantics.document.path), set[Path]()
+    for file in chain(declared, _alike_first(semantics, library)):
+        head = _head(file, semantics) if file not in seen else None
+        seen.add(file)
+        is_meant = file in declared or _stem(file) == stem
+        if head is None or not (is_meant or _may_be(head.name, semantics.name)):
+            continue
+        if (found := library.document(file, head.kind, semantics.document)) is not None:
+            yield found
+
+
+def _declared(semantics: Semantics, packages: Packages) -> Iterator[Path]:
+    """The file that the settings of MoveIt's assistant name in the package of an SRDF file."""
+    settings = _package(semantics.document.path) / ".setup_assistant"
+    try:
+        text = read_regular(settings).decode("utf-8", "replace") if settings.is_file() else ""
+    except OSError:
+        return
+    found = _DECLARED.search(text)
+    folder = packages.find(found[1]) if found is not None else None
+    if found is not None and folder is not None:
+        yield folder / found[2]
+
+
+def _alike_first(semantics: Semantics, library: Library) -> Iterator[Path]:
+    """The files that may hold robots, in the package and in the project; first those that are called alike."""
     path = semantics.document.path
-    seen: set[str] = set()
     for packages in (Packages(_package(path)), library.packages(path)):
-        for file in _files(semantics.document, packages, (".urdf", ".xacro")):
-            head = _own_head(file, semantics) if str(file) not in seen else None
-            seen.add(str(file))
-            if head is None:
-                continue
-            if (found := library.document(file, head.kind, semantics.document)) is not None:
-                yield found
+        files = _files(semantics.document, packages, (".urdf", ".xacro"))
+        yield from sorted(files, key=lambda file: _stem(file) != _stem(path))
+
+
+def _may_be(written: str, name: str) -> bool:
+    """Is this the name of a robot, or may its expressions come to it?"""
+    bounds = [0, *(place for match in matches(written) for place in match.span()), len(written)]
+    pieces = [written[start:end] for start, end in zip(bounds[::2], bounds[1::2], strict=True)]
+    return any(pieces) and re.fullmatch(".+".join(map(re.escape, pieces)), name) is not None
+
+
+def _stem(path: Path) -> str:
+    return path.name.partition(".")[0]
 
 
 def _package(path: Path) -> Path:

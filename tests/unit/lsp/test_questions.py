@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -20,9 +21,11 @@ from benchmarks.editor import (
     names,
     rename_once,
 )
+from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.watch import choices_of
 from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.source.sniff import Kind
 
 pytestmark = pytest.mark.xdist_group(__name__)
 
@@ -171,6 +174,123 @@ def test_semantics_follow_the_robot(editor: Editor, tmp_path: Path) -> None:
     assert after == {"r.srdf": ["all", "all"]}
 
 
+SEMANTICS = """\
+<robot name="r">
+  <virtual_joint name="floor" type="fixed" parent_frame="world" child_link="base"/>
+  <group name="arm"><chain base_link="base" tip_link="tip"/></group>
+  <group name="all"><group name="arm"/></group>
+  <group_state name="home" group="arm"><joint name="elbow" value="0"/><joint name="floor" value="0"/></group_state>
+  <group_state name="home" group="all"><joint name="elbow" value="1"/></group_state>
+  <end_effector name="hand" group="arm" parent_link="tip"/>
+  <passive_joint name="elbow"/>
+  <disable_collisions link1="base" link2="tip" reason="Adjacent"/>
+  <gripper name="g"><link name="tip"/></gripper>
+</robot>
+"""
+PLAIN = """\
+<robot name="r"><link name="base"/><link name="tip"/>
+<joint name="elbow" type="continuous"><parent link="base"/><child link="tip"/></joint></robot>
+"""
+
+
+@pytest.fixture(params=["r.urdf", "r.urdf.xacro", "other.urdf"])
+def robot(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """SRDF beside a robot: plain, made with xacro, or of another package, which the assistant's settings name."""
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "r.srdf").write_text(SEMANTICS)
+    path: Path = tmp_path / request.param
+    if path.name == "other.urdf":
+        (tmp_path / ".git").mkdir()
+        (tmp_path / "q").mkdir()
+        (tmp_path / "q" / "package.xml").write_text("<package><name>q</name></package>")
+        settings = "moveit_setup_assistant_config:\n  URDF:\n    package: q\n    relative_path: other.urdf\n"
+        (tmp_path / ".setup_assistant").write_text(settings)
+        path = tmp_path / "q" / "other.urdf"
+        path.write_text(PLAIN.replace('"r"', '"another"'))
+    elif path.suffix == ".xacro":
+        path.write_text(f'{HEAD}{ARM}<xacro:arm prefix=""/></robot>')
+    else:
+        path.write_text(PLAIN)
+    return path
+
+
+def test_every_name_in_semantics_is_defined_somewhere(editor: Editor, robot: Path, tmp_path: Path) -> None:
+    buffer = editor.open(tmp_path / "r.srdf", SEMANTICS)
+    own = {"virtual_joint@name", "group_state@name", "end_effector@name"}
+    for name in names(SEMANTICS, REFERENCES[Kind.SRDF] | DEFINITIONS[Kind.SRDF] | own):
+        for offset in range(name.start, name.end + 1):
+            place = editor.place(buffer, offset)
+            found = editor.answers.definition(buffer, types.DefinitionParams(**place))
+            assert isinstance(found, types.Location), (name, SEMANTICS[name.start : name.end])
+            value = SEMANTICS[name.start : name.end]
+            is_own = value in {"floor", "arm", "all", "home", "hand"}
+            assert found.uri == (buffer.uri if is_own else robot.as_uri()), value
+
+
+def test_renaming_from_a_robot_to_its_semantics_and_back(editor: Editor, robot: Path) -> None:
+    mark = '"${prefix}elbow"' if robot.suffix == ".xacro" else '"elbow"'
+    new = "${prefix}knee" if robot.suffix == ".xacro" else "knee"
+    after = {robot.name: [new], "r.srdf": ["knee"] * 3}
+    assert renamed(editor, robot, mark, len(mark) - 3, "knee") == after
+    semantics = next(path / "r.srdf" for path in robot.parents if (path / "r.srdf").exists())
+    assert renamed(editor, semantics, 'joint name="elbow" value="1"', 14, "knee") == after
+    buffer = editor.open(robot, robot.read_text())
+    context = types.ReferenceContext(True)
+    place = editor.place(buffer, buffer.source.text.index(mark) + len(mark) - 3)
+    found = editor.answers.references(buffer, types.ReferenceParams(context, **place))
+    assert sum(each.uri.endswith("r.srdf") for each in found or ()) == 3
+
+
+def test_states_of_one_name_are_states_of_their_groups(editor: Editor, robot: Path, tmp_path: Path) -> None:
+    assert renamed(editor, tmp_path / "r.srdf", '"home" group="all"', 2, "rest") == {"r.srdf": ["rest"]}
+    assert renamed(editor, tmp_path / "r.srdf", '"floor" type', 2, "ground") == {"r.srdf": ["ground"] * 2}
+
+
+@pytest.mark.parametrize(
+    ("removed", "at", "expected"),
+    [
+        ('child_link="base"', 12, "base"),
+        ('tip_link="tip"', 10, "tip"),
+        ('joint name="elbow"', 12, "elbow"),
+        ('parent_link="tip"', 13, "tip"),
+        ('link2="tip"', 7, "tip"),
+        ('link1="base"', 7, "base"),
+    ],
+)
+def test_names_that_are_suggested_in_semantics(
+    editor: Editor, robot: Path, tmp_path: Path, removed: str, at: int, expected: str
+) -> None:
+    place = SEMANTICS.index(removed) + at
+    text = SEMANTICS[:place] + SEMANTICS[place + len(expected) :]
+    buffer = editor.open(tmp_path / "r.srdf", text)
+    assert complete(editor.workspace, buffer, place).items[0].label == expected
+
+
+def test_joints_in_semantics_are_those_of_the_robot(editor: Editor, tmp_path: Path) -> None:
+    limit = PLAIN.replace("continuous", "revolute").replace(
+        "</joint>", '<limit lower="-1" upper="2"/></joint>'
+    )
+    (tmp_path / "r.urdf").write_text(limit)
+    (tmp_path / "r.srdf").write_text(SEMANTICS)
+    buffer = editor.open(tmp_path / "r.srdf", SEMANTICS)
+    place = editor.place(buffer, SEMANTICS.index('"elbow" value') + 2)
+    found = editor.answers.hover(buffer, types.HoverParams(**place))
+    assert found is not None
+    assert "`base` → `tip`" in str(found.contents)
+    assert "from `-1` to `2` rad" in str(found.contents)
+
+
+def test_everything_in_semantics_is_explained(editor: Editor, robot: Path, tmp_path: Path) -> None:
+    buffer = editor.open(
+        tmp_path / "r.srdf", SEMANTICS.replace("<gripper", "<!--").replace("</gripper>", "-->")
+    )
+    for match in re.finditer(r"(?<=[<\s])[a-z_]+\d?(?=[\s=])", SEMANTICS[: SEMANTICS.index("<gripper")]):
+        place = editor.place(buffer, match.start())
+        found = editor.answers.hover(buffer, types.HoverParams(**place))
+        assert found is not None, match[0]
+        assert "SRDF" in str(found.contents), match[0]
+
+
 @pytest.mark.parametrize(
     ("text", "mark", "expected"),
     [
@@ -200,6 +320,13 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
         ('<gazebo><plugin name="p" filename="x.so"><m>${|}</m></plugin></gazebo>', "mass"),
         ('<gazebo><plugin name="p" filename="x.so"><m>$(arg |)</m></plugin></gazebo>', "side"),
         ("<xacro:wheel |/>", "red"),
+        ('<link name="a"/><link name="b"/><gazebo reference="|"/>', "a"),
+        ('<xacro:macro name="m" params="one *two"><xacro:insert_block name="|"/></xacro:macro>', "two"),
+        ('<xacro:wheel red="left"/><gazebo reference="|"/>', "left"),
+        (
+            '<ros2_control name="c" type="system"><sensor name="s"><state_interface name="|"/></sensor></ros2_control>',
+            "force.x",
+        ),
         ('<ros2_control name="c" type="system"><xacro:if value="1"><|</xacro:if></ros2_control>', "joint"),
     ],
 )

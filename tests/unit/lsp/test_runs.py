@@ -9,7 +9,10 @@ import weakref
 from pathlib import Path
 
 import pytest
+from lsprotocol import types
 
+from benchmarks.editor import Editor
+from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.schedule import Schedule
 from sdfcheck.lsp.worker import ANSWER, LINT, Worker
@@ -119,3 +122,31 @@ def test_edits_leave_no_rest(name: str) -> None:
             gc.collect()
             counts.append(len(gc.get_objects()))
     assert counts[-1] - counts[0] < 50, counts
+
+
+@pytest.mark.slow
+def test_many_edits_of_a_robot_made_with_xacro_take_no_more_memory(tmp_path: Path) -> None:
+    psutil = pytest.importorskip("psutil")
+    macro = '<xacro:macro name="leg" params="n"><link name="${n}_a"/><link name="${n}_b"/></xacro:macro>'
+    calls = "".join(f'<xacro:leg n="l{number}"/>\n' for number in range(150))
+    text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{macro}\n{calls}</robot>\n'
+    path = tmp_path / "r.urdf.xacro"
+    path.write_text(text)
+    editor = Editor()
+    buffer, sizes = editor.open(path, text), []
+    at = text.index('"l7"') + 3
+    for number in range(60):
+        text = text[:at] + "x" * (number % 2) + text[at + (number - 1) % 2 * (number > 0) :]
+        editor.workspace.write(buffer, Source(path, text), number, at)
+        editor.findings.lint(buffer)
+        place = editor.place(buffer, at)
+        editor.answers.hover(buffer, types.HoverParams(**place))
+        editor.answers.definition(buffer, types.DefinitionParams(**place))
+        complete(editor.workspace, buffer, at)
+        buffer.tidy()
+        editor.workspace.caches.tidy()
+        if number % 20 == 19:
+            gc.collect()
+            sizes.append(psutil.Process().memory_info().rss)
+    editor.workspace.close()
+    assert sizes[-1] - sizes[0] < 4_000_000, sizes
