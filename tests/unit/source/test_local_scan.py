@@ -47,7 +47,7 @@ PIECES = [
 
 def what(scan: Scan) -> tuple[object, ...]:
     """All that a scan says; blanks in tags that are written anew do not count."""
-    parser = etree.XMLParser(recover=True)  # to which `gz::sim::X` is no name
+    parser = etree.XMLParser(recover=True)  # which refuses the name `gz::sim::X`
     tree = etree.tostring(etree.fromstring(scan.wellformed.encode(), parser), method="c14n")
     places = scan.starts, scan.ends, scan.closes, scan.close_ends
     return scan.problems, places, scan.comments, scan.odd, sorted(scan.doubtful), tree
