@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, MODEL, SPHERE
 
 RIGID = "<drake:rigid_hydroelastic/>"
@@ -23,7 +23,6 @@ class ConflictingCompliance(VendorRule):
     spheres, cylinders, capsules and ellipsoids need a `drake:mesh_resolution_hint` in meters, about a
     quarter of their radius. A half space is rigid.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or ignores an element")}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = BOX

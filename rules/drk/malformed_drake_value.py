@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, refuses
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue
 from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
 
@@ -30,7 +30,6 @@ class MalformedDrakeValue(VendorRule):
     In SDF it is mostly the text of the element, `<drake:mu_dynamic>0.5</drake:mu_dynamic>`, in URDF an
     attribute, `<drake:mu_dynamic value="0.5"/>`. `sdfcheck describe drake:NAME` shows type and unit.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)
     scaffold = BOX

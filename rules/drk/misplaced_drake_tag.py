@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, named
 from sdfcheck_rules.drk.scaffolds import AXIS, JOINT, LINK, ROBOT, ROBOT_LINK
 
 
@@ -19,9 +19,6 @@ class MisplacedDrakeTag(VendorRule):
 
     `sdfcheck describe drake:NAME` lists the places in SDF and in URDF.
     """
-    affects = {
-        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
-    }
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = LINK

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, rename
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, named, rename
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'
@@ -19,7 +19,6 @@ class MissingDrakeChild(VendorRule):
 
     `sdfcheck describe drake:NAME` lists the children. If the whole element is not needed, remove it.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = MODEL

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import COLLISION, JOINT, MODEL, ROBOT
 
 
@@ -18,7 +18,6 @@ class MissingDrakeValue(VendorRule):
 
     `sdfcheck describe drake:NAME` shows which one.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = JOINT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, MODEL, ROBOT
 
 
@@ -17,7 +17,6 @@ class RepeatedDrakeTag(VendorRule):
 
     The first one is in effect. In URDF and SDF alike, all members of one group are listed in one element.
     """
-    affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)
     scaffold = BOX

@@ -1,16 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Severity,
-    VendorRule,
-    VendorValue,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorValue, write_instead
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
 
 NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
@@ -33,7 +23,6 @@ class UnknownDrakeReference(VendorRule):
     the constraint into the model that holds both. Nothing can be tied to the world by name: tie it to a
     link that is welded to it.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorValue,)
     scaffold = MODEL

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 
@@ -20,9 +20,6 @@ class UnknownDrakeTag(VendorRule):
     `sdfcheck describe drake:NAME` and Drake's page "Model description parsing" list them. An element of
     your own needs another prefix.
     """
-    affects = {
-        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
-    }
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = MODEL

@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Joint,
-    Reaction,
-    Severity,
-    VendorRule,
-    VendorValue,
-)
+from sdfcheck import REFUSES, Bad, Diagnostic, Good, Joint, Reaction, Severity, VendorRule, VendorValue
 from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.effect import IGNORES, affects, does, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
@@ -42,7 +31,6 @@ class UnsupportedJointType(VendorRule):
     `<drake:joint type="ball">` and the like are Drake's spelling of types that URDF lacks; other consumers
     ignore them.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (Joint, VendorValue)
     selects = ("sdf:joint", "urdf:robot/joint")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from sdfcheck.consumers.reaction import by_effect
+from sdfcheck.consumers.reaction import Consumer, by_effect
 from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcome
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Fix, TextEdit
@@ -16,8 +16,8 @@ from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
 class VendorRule(Rule):
     """A rule about the tags of one vendor: it looks at :class:`VendorTag` or :class:`VendorValue`.
 
-    One that also looks at other objects of the robot does so for those who ask about the consumers in
-    ``affects`` only: as a target, or by a rule that is off by default.
+    Its consumer is the one of that name, or is named in ``affects``. A rule that also looks at other objects
+    of the robot does so for those who ask about it only: as a target, or by a rule that is off by default.
     """
 
     prefix: ClassVar[str]
@@ -60,7 +60,8 @@ class VendorRule(Rule):
         """The same in words of one's own."""
         is_read = effect.outcome in {Outcome.IGNORED, Outcome.ACCEPTED}
         severity = Severity.WARNING if is_read and self.severity is Severity.ERROR else self.severity
-        affects = dict.fromkeys(self.affects, by_effect(effect))
+        own = self.affects or (each for each in Consumer if each.value == self.prefix)
+        affects = dict.fromkeys(own, by_effect(effect))
         return self.diagnostic(target, message, labels=labels, fix=fix, severity=severity, affects=affects)
 
     @staticmethod
