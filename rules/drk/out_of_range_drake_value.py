@@ -60,8 +60,7 @@ class OutOfRangeDrakeValue(VendorRule):
 
     def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
         if isinstance(given, VendorValue):
-            message = f"{given.title} should be {given.bound}, not `{given.text.strip()}`"
-            yield self.report(given, message, given.slot.wrong)
+            yield self.out_of_range(given)
         elif (excess := given.excess) is not None:
             message = above(given.name, excess.low, excess.high)
             labels = {excess.high: "the value that it must not exceed"}

@@ -49,9 +49,4 @@ class OutdatedDrakeTag(VendorRule):
         return tag.prefix == "drake" and bool(tag.successor)
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        if tag.is_gone:
-            fix = self.renaming(tag, tag.successor)
-            yield self.report(tag, f"`{tag.name}` is now `{tag.successor}`", tag.effect, fix=fix)
-        else:
-            message = f"`{tag.name}` is older than the standard `{tag.successor}`, which takes its place"
-            yield self.judged(tag, message, tag.effect)._replace(severity=Severity.INFO)
+        yield self.outdated(tag)

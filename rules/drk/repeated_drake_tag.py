@@ -49,10 +49,4 @@ class RepeatedDrakeTag(VendorRule):
         return given.prefix == "drake" and given.first is not None
 
     def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
-        labels = {given.first: "the first"}
-        if isinstance(given, VendorTag):
-            message = f"`{given.name}` is given again: Drake reads the first only"
-            yield self.judged(given, message, given.effect, labels)
-        elif (effect := given.slot.unique) is not None:
-            message = f"there is a `{given.tag.name}` of the name `{given.text}` already"
-            yield self.report(given, message, effect, labels=labels)
+        yield from self.repeated(given)

@@ -60,13 +60,4 @@ class UnknownDrakeTag(VendorRule):
         return tag.prefix == "drake" and tag.definition is None
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        is_prefixed = tag.name.startswith("drake:")
-        what = f"`{tag.name}` is not known to Drake" if is_prefixed else f"`{tag.name}` has no prefix"
-        near = tag.meant
-        yield self.report(
-            tag,
-            what,
-            tag.effect,
-            rest=f"; did you mean `{near}`?" if near else "",
-            fix=self.renaming(tag, near) if near else None,
-        )
+        yield self.unknown(tag)

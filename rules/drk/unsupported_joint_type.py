@@ -1,7 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Diagnostic, Good, Joint, Reaction, Severity, VendorRule, VendorValue
-from sdfcheck_rules.drk.choices import unknown_choice
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Joint,
+    Reaction,
+    Severity,
+    VendorRule,
+    VendorValue,
+    accepts,
+)
 from sdfcheck_rules.drk.effect import IGNORES, affects, does, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
 
@@ -11,6 +22,9 @@ OWN_IN_URDF = frozenset(("ball", "curvilinear", "screw", "universal"))
 """The types that are written as `drake:joint` there."""
 
 ENDS = '<parent link="a"/><child link="b"/>'
+
+UNREAD_BY_PYBULLET = (Consumer.PYBULLET.value, accepts("does not read it"))
+"""It warns of a joint of such a type, and not of a `drake:joint`."""
 
 
 class UnsupportedJointType(VendorRule):
@@ -82,7 +96,8 @@ class UnsupportedJointType(VendorRule):
     def _of_own(self, kind: VendorValue) -> Iterator[Diagnostic]:
         """The type of a `drake:joint`."""
         if kind.prefix == "drake" and kind.tag.name == "drake:joint" and kind.is_unknown_choice:
-            yield unknown_choice(self, kind)
+            found = self.malformed(kind)
+            yield found._replace(affects=(*found.affects, UNREAD_BY_PYBULLET))
 
 
 def _in_sdf(joint: Joint) -> Iterator[tuple[Reaction, str, str]]:
