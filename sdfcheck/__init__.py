@@ -13,7 +13,17 @@ if TYPE_CHECKING:
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
     from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
     from sdfcheck.consumers.gazebo import BuiltFrame, BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
-    from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, Verdict, accepts, refuses, warns
+    from sdfcheck.consumers.reaction import (
+        REFUSES,
+        Consumer,
+        Reaction,
+        Verdict,
+        accepts,
+        drops,
+        ignores,
+        refuses,
+        warns,
+    )
     from sdfcheck.consumers.urdf_readers import (
         is_harmless,
         lacking,
@@ -112,7 +122,7 @@ _HOMES = {
     "sdfcheck.lint.fix": "Applicability Fix TextEdit",
     "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
     "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
-    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts refuses warns",
+    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts drops ignores refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.consumers.urdf_readers": "is_harmless lacking repeating undersized unexpanded unreadable",
@@ -268,9 +278,11 @@ __all__ = [
     "as_json",
     "convert",
     "diff",
+    "drops",
     "edit",
     "fix",
     "ignored_by_drake",
+    "ignores",
     "inertia",
     "is_harmless",
     "lacking",

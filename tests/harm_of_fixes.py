@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sdfcheck import Consumer, Run, Severity, lint
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Question, ask
-from sdfcheck.consumers.reaction import MEASURED
+from sdfcheck.consumers.reaction import ON_REQUEST
 
 _DIRECTIVE = re.compile(r"sdfcheck:\s*(?:ignore-file|ignore|disable|enable)\b(?:\[[^\]]*\])?")
 
@@ -63,7 +63,7 @@ def _stops(run: Run) -> bool:
         and all(
             any(name == consumer.value and how.is_refusal for name, how in each.affects)
             for consumer in Consumer
-            if consumer.value not in MEASURED
+            if consumer.value not in ON_REQUEST
         )
         for each in run.diagnostics
     )

@@ -9,9 +9,10 @@ import pytest
 
 from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.cli.targets import verdicts
-from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+from sdfcheck.consumers.reaction import Consumer, Reaction
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rule import Rule
+from sdfcheck.lint.rulebook.pack import describe
 from tests.peers.test_affects import examples
 from tests.test_rules import RULES
 
@@ -53,9 +54,7 @@ def test_a_consumer_that_refuses_in_prose_does_so_in_an_example(code: str, tmp_p
 
 
 def _is_in_the_table(rule: type[Rule], consumer: Consumer) -> bool:
-    said = rule.affects.get(consumer, {})
-    reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
-    return any(map(_refuses, reactions.values()))
+    return any(map(_refuses, map(Reaction.of, describe(rule).affects.get(consumer.value, {}).values())))
 
 
 def _refuses(reaction: Reaction) -> bool:

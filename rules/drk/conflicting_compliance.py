@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, MODEL, SPHERE
 
 RIGID = "<drake:rigid_hydroelastic/>"
@@ -23,7 +23,6 @@ class ConflictingCompliance(VendorRule):
     spheres, cylinders, capsules and ellipsoids need a `drake:mesh_resolution_hint` in meters, about a
     quarter of their radius. A half space is rigid.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or ignores an element")}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = BOX
@@ -79,17 +78,4 @@ class ConflictingCompliance(VendorRule):
         return bool(tag.forbidden or tag.needs)
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        pairs = [(tag.element, tag.excluded), *((child, tag.element) for child in tag.forbidden)]
-        for element, other in pairs:
-            if element is not None and other is not None:
-                message = f"`{element.name}` and `{other.name}` exclude each other"
-                yield self.report(tag, message, self.refused, at=element, labels={other: "the other"})
-        for need in tag.needs:
-            shape = need.because
-            on = f" on a `{shape.name}`" if shape is not None else ""
-            message = f"`{tag.name}`{on} needs `{need.name}`"
-            labels = {shape: "the shape"} if shape is not None else None
-            yield self.report(tag, message, self.refused, labels=labels)
-        if (other := tag.idle_beside) is not None:
-            message = f"`{tag.name}` has no effect beside `{other.name}`"
-            yield self.report(tag, message, self.ignored, labels={other: "this one counts"})
+        yield from self.conflicting(tag)

@@ -5,7 +5,6 @@ from sdfcheck import (
     REFUSES,
     Bad,
     Collision,
-    Consumer,
     Diagnostic,
     Dynamics,
     Geometry,
@@ -19,7 +18,6 @@ from sdfcheck import (
     Target,
     Transmission,
     Value,
-    refuses,
 )
 from sdfcheck_rules.drk.contents import unread
 from sdfcheck_rules.drk.effect import ABORTS, CRASHES, affects, does
@@ -49,7 +47,6 @@ class CrashesDrake(Rule):
     damping are positive or left out; a transmission has a type; names of actuators are unique.
     """
     default = False
-    affects = {Consumer.DRAKE: refuses("crashes or aborts")}
     looks_at = (Root, Collision, Dynamics, Geometry, Inertial, Limit, Transmission)
     selects = (
         "sdf:sdf",

@@ -1,10 +1,10 @@
 """What Drake does about something, as a reaction and in words."""
 
-from sdfcheck import Consumer, Reaction, Severity, Value, Verdict, refuses, warns
+from sdfcheck import Consumer, Reaction, Severity, Value, Verdict, ignores, refuses
 
 ABORTS = refuses("aborts")
 CRASHES = refuses("crashes")
-IGNORES = warns("ignores it")
+IGNORES = ignores("it")
 
 
 def does(reaction: Reaction) -> str:

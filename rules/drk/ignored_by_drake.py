@@ -15,7 +15,6 @@ from sdfcheck import (
     Value,
     ignored_by_drake,
     used,
-    warns,
 )
 from sdfcheck_rules.drk.contents import unread
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
@@ -38,7 +37,6 @@ class IgnoredByDrake(Rule):
     nothing to do if the setting is for Gazebo alone.
     """
     default = False
-    affects = {Consumer.DRAKE: warns("ignores it")}
     looks_at = (Root,)
     scaffold = LINK
 

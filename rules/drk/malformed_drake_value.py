@@ -1,16 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, refuses
-from sdfcheck_rules.drk.choices import unknown_choice
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, LINK, MODEL, ROBOT
-
-FAULTS = {
-    "EMPTY": "is empty",
-    "NOT_FINITE": "should be {expected}, and `{part}` is not a number",
-    "TOO_FEW": "should be {expected}, and has fewer",
-    "TOO_MANY": "should be {expected}, and has more: `{part}`",
-}
-"""Why a value is not read as it is written, in words."""
 
 
 class MalformedDrakeValue(VendorRule):
@@ -30,7 +21,6 @@ class MalformedDrakeValue(VendorRule):
     In SDF it is mostly the text of the element, `<drake:mu_dynamic>0.5</drake:mu_dynamic>`, in URDF an
     attribute, `<drake:mu_dynamic value="0.5"/>`. `sdfcheck describe drake:NAME` shows type and unit.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or reads another value")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)
     scaffold = BOX
@@ -86,29 +76,4 @@ class MalformedDrakeValue(VendorRule):
         return given.misreading is not None or (given.is_unknown_choice and not is_type_of_joint)
 
     def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
-        if isinstance(given, VendorTag):
-            yield self._of_tag(given)
-        elif (bad := given.misreading) is not None:
-            span = given.misread_span
-            words = FAULTS.get(bad.fault.name, "should be {expected}, not `{part}`")
-            said = words.format(expected=given.expected, part=span.text)
-            yield self.report(given, f"{given.title} {said}", bad.effect, at=span)
-        else:
-            yield unknown_choice(self, given)
-
-    def _of_tag(self, tag: VendorTag) -> Diagnostic:
-        """The value is nowhere, or not where it is read."""
-        effect = tag.effect_of_empty
-        if tag.stray is None:
-            return self.report(tag, f"`{tag.name}` is empty", effect)
-        found, value = tag.stray
-        message = (
-            f"the value of `{tag.name}` is read from its {_shape(tag.carrier)}, not from its {_shape(found)}"
-        )
-        return self.report(tag, message, effect, at=value.name_span if value.attribute else value)
-
-
-def _shape(carrier: str) -> str:
-    """Where a value is, in words."""
-    kinds = {"@": "attribute", "/": "child"}
-    return f"{kinds[carrier[0]]} `{carrier[1:]}`" if carrier[0] in kinds else carrier
+        yield self.malformed(given)

@@ -1,6 +1,6 @@
 from collections.abc import Iterable, Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Link, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 from sdfcheck_rules.drk.scaffolds import ROBOT
 
 WORLD = "world"
@@ -25,7 +25,6 @@ class MasslessLeaf(Rule):
     something, ignore this.
     """
     default = False
-    affects = {Consumer.DRAKE: warns("stops at the first step of the simulation")}
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = ROBOT

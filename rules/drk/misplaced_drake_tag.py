@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import AXIS, JOINT, LINK, ROBOT, ROBOT_LINK
 
 
@@ -19,9 +19,6 @@ class MisplacedDrakeTag(VendorRule):
 
     `sdfcheck describe drake:NAME` lists the places in SDF and in URDF.
     """
-    affects = {
-        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
-    }
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = LINK
@@ -67,14 +64,4 @@ class MisplacedDrakeTag(VendorRule):
         return tag.place is None and not tag.is_undecided
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        name, places = tag.name, named(tag.places, "or")
-        if tag.unmet is not None:
-            yield self.report(tag, f"`{name}` is read only in {places}", tag.effect)
-        elif places:
-            message = f"`{name}` does not belong in {tag.parent.title}"
-            yield self.report(tag, message, tag.effect, rest=f"; it goes into {places}")
-        else:
-            here, there = ("SDF", "URDF") if tag.document.kind.value == "sdf" else ("URDF", "SDF")
-            use = f"; use `{tag.substitute}`" if tag.substitute else ""
-            message = f"`{name}` is for {there}: in {here} {self.does(tag, tag.effect)}{use}"
-            yield self.judged(tag, message, tag.effect)
+        yield self.misplaced(tag)

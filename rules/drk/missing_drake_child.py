@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, named, refuses, rename
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 PLANAR = '<drake:joint name="j" type="planar"><drake:parent>a</drake:parent><drake:child>b</drake:child>'
@@ -19,7 +19,6 @@ class MissingDrakeChild(VendorRule):
 
     `sdfcheck describe drake:NAME` lists the children. If the whole element is not needed, remove it.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = MODEL
@@ -64,9 +63,4 @@ class MissingDrakeChild(VendorRule):
         return tag.prefix == "drake" and any(lack.misspelled is None for lack in tag.lacks)
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        for lack in tag.lacks:
-            if lack.misspelled is None:
-                message = f"{tag.title} lacks {named(lack.choices, 'or')}"
-                near = f"; did you mean `{lack.choices[0]}`?" if lack.near is not None else ""
-                fix = rename(lack.choices[0], lack.near) if lack.near is not None else None
-                yield self.report(tag, message, lack.effect, at=lack.near, rest=near, fix=fix)
+        yield from self.lacking_children(tag)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import COLLISION, JOINT, MODEL, ROBOT
 
 
@@ -18,7 +18,6 @@ class MissingDrakeValue(VendorRule):
 
     `sdfcheck describe drake:NAME` shows which one.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = JOINT
@@ -51,8 +50,4 @@ class MissingDrakeValue(VendorRule):
         return tag.prefix == "drake" and bool(tag.missing_values)
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        for missing in tag.missing_values:
-            kind = "attribute" if missing.carrier[0] == "@" else "child"
-            near = f"; is `{missing.near}` meant for it?" if missing.near else ""
-            message = f"{tag.title} lacks the {kind} `{missing.carrier[1:]}`"
-            yield self.report(tag, message, missing.effect, rest=near)
+        yield from self.lacking_values(tag)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Collision, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
+from sdfcheck import REFUSES, Bad, Collision, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.effect import above, does
 from sdfcheck_rules.drk.frictions import friction, own_friction
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION
@@ -28,7 +28,6 @@ class MuOrder(VendorRule):
     `mu2` is taken for the dynamic one, so write it beside `mu`, with the same value. Or give
     `drake:mu_dynamic` and `drake:mu_static`, which win over the settings of ODE.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (Collision, VendorTag)
     selects = ("sdf:collision",)

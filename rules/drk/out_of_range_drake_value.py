@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, refuses
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue
 from sdfcheck_rules.drk.effect import above
 from sdfcheck_rules.drk.scaffolds import AXIS, BOX, JOINT, MODEL
 
@@ -27,7 +27,6 @@ class OutOfRangeDrakeValue(VendorRule):
 
     `sdfcheck describe drake:NAME` shows range and unit. Lower limits come before upper ones.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file, or aborts")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)
     scaffold = BOX
@@ -61,8 +60,7 @@ class OutOfRangeDrakeValue(VendorRule):
 
     def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
         if isinstance(given, VendorValue):
-            message = f"{given.title} should be {given.bound}, not `{given.text.strip()}`"
-            yield self.report(given, message, given.slot.wrong)
+            yield self.out_of_range(given)
         elif (excess := given.excess) is not None:
             message = above(given.name, excess.low, excess.high)
             labels = {excess.high: "the value that it must not exceed"}

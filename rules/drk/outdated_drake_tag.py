@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, ROBOT_LINK
 
 
@@ -18,7 +18,6 @@ class OutdatedDrakeTag(VendorRule):
 
     A file for SDFormat 1.8 or later takes the standard `<capsule>` and `<ellipsoid>`.
     """
-    affects = {Consumer.DRAKE: refuses("refuses the file where the element has gone")}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = BOX
@@ -50,9 +49,4 @@ class OutdatedDrakeTag(VendorRule):
         return tag.prefix == "drake" and bool(tag.successor)
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        if tag.is_gone:
-            fix = self.renaming(tag, tag.successor)
-            yield self.report(tag, f"`{tag.name}` is now `{tag.successor}`", tag.effect, fix=fix)
-        else:
-            message = f"`{tag.name}` is older than the standard `{tag.successor}`, which takes its place"
-            yield self.judged(tag, message, tag.effect)._replace(severity=Severity.INFO)
+        yield self.outdated(tag)

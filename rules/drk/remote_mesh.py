@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, REFUSES, Actor, Bad, Consumer, Diagnostic, Good, Resource, Rule, Severity
+from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Resource, Rule, Severity
 from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT_LINK
 
 SCHEMES = ("http://", "https://", "fuel://")
@@ -22,7 +22,6 @@ class RemoteMesh(Rule):
     `gz fuel download -u URL` fetches models of Fuel. Beside the file, a relative path is enough.
     """
     default = False
-    affects = {Consumer.DRAKE: REFUSES}
     looks_at = (Resource,)
     scaffold = COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, VendorValue
 from sdfcheck_rules.drk.scaffolds import BOX, JOINT, MODEL, ROBOT
 
 
@@ -17,7 +17,6 @@ class RepeatedDrakeTag(VendorRule):
 
     The first one is in effect. In URDF and SDF alike, all members of one group are listed in one element.
     """
-    affects = {Consumer.DRAKE: warns("reads the first only, or refuses the file")}
     prefix = "drake"
     looks_at = (VendorTag, VendorValue)
     scaffold = BOX
@@ -50,10 +49,4 @@ class RepeatedDrakeTag(VendorRule):
         return given.prefix == "drake" and given.first is not None
 
     def check(self, given: VendorTag | VendorValue) -> Iterator[Diagnostic]:
-        labels = {given.first: "the first"}
-        if isinstance(given, VendorTag):
-            message = f"`{given.name}` is given again: Drake reads the first only"
-            yield self.judged(given, message, given.effect, labels)
-        elif (effect := given.slot.unique) is not None:
-            message = f"there is a `{given.tag.name}` of the name `{given.text}` already"
-            yield self.report(given, message, effect, labels=labels)
+        yield from self.repeated(given)

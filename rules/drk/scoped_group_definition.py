@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorValue
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorValue
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 
@@ -18,7 +18,6 @@ class ScopedGroupDefinition(VendorRule):
 
     From outside, name its members by scoped names instead: `<drake:member>arm::hand</drake:member>`.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorValue,)
     scaffold = MODEL

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import MODEL
 
 BALL = (
@@ -21,7 +21,6 @@ class SelfTiedConstraint(VendorRule):
     name = "self-tied-constraint"
     severity = Severity.ERROR
     remedy = "Name two different links as the ends of the constraint."
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = MODEL.replace("{}", BALL)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, Transmission, Value, warns
+from sdfcheck import Bad, Diagnostic, Good, Limit, Rule, Severity, Transmission, Value
 from sdfcheck_rules.drk.scaffolds import ROBOT, ROBOT_JOINT
 
 NO_LIMIT = -1.0
@@ -27,7 +27,6 @@ class SpecialValue(Rule):
     `lower` and `upper` of a continuous joint, and write the real velocity of the drive instead of 0.
     """
     default = False
-    affects = {Consumer.DRAKE: warns("takes the value in its own way")}
     looks_at = (Limit, Transmission)
     selects = ("sdf:joint/axis/limit", "urdf:robot/joint/limit", "urdf:robot/transmission")
     scaffold = ROBOT_JOINT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, used, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag, used
 from sdfcheck_rules.drk.scaffolds import LINK, ROBOT_LINK
 
 
@@ -19,12 +19,6 @@ class TooNewDrakeTag(VendorRule):
     Pin the version of `drake` in the requirements of the project. For older releases, set the property in
     the program instead.
     """
-    affects = {
-        Consumer.DRAKE: {
-            "sdf": warns("older releases refuse the file"),
-            "urdf": warns("older releases ignore it"),
-        }
-    }
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = LINK

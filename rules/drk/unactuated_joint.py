@@ -60,7 +60,6 @@ class UnactuatedJoint(Rule):
     or remove the transmission.
     """
     default = False
-    affects = {Consumer.DRAKE: warns("makes no actuator, or refuses the file")}
     looks_at = (Joint, Model, Transmission)
     selects = ("sdf:joint", "urdf:robot", "urdf:robot/transmission")
     scaffold = ROBOT

@@ -1,16 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Severity,
-    VendorRule,
-    VendorValue,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorValue
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT
 
 NESTED = MODEL.replace("{}", '<model name="n"><link name="c"/></model>{}')
@@ -33,7 +23,6 @@ class UnknownDrakeReference(VendorRule):
     the constraint into the model that holds both. Nothing can be tied to the world by name: tie it to a
     link that is welded to it.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (VendorValue,)
     scaffold = MODEL
@@ -108,14 +97,4 @@ class UnknownDrakeReference(VendorRule):
         return name.prefix == "drake" and name.unresolved is not None
 
     def check(self, name: VendorValue) -> Iterator[Diagnostic]:
-        if (unresolved := name.unresolved) is None:
-            return
-        text, kinds = name.text.strip(), " or ".join(unresolved.kinds)
-        if unresolved.found is not None:
-            message = f"`{text}` is a {unresolved.found}, and `{name.tag.name}` names a {kinds}"
-        elif "::" in text and not name.slot.scoped:
-            message = f"`{name.tag.name}` names a {kinds} of its own model, and `{text}` is a scoped name"
-        else:
-            message = f"there is no {kinds} `{text}`"
-        near = f"; did you mean `{unresolved.near}`?" if unresolved.near else ""
-        yield self.report(name, message, self.refused, rest=near, fix=write_instead(unresolved.near, name))
+        yield from self.unresolved(name)

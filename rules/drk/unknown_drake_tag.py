@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Severity, VendorRule, VendorTag, refuses, warns
+from sdfcheck import Bad, Diagnostic, Good, Severity, VendorRule, VendorTag
 from sdfcheck_rules.drk.scaffolds import LINK, MODEL, ROBOT
 
 
@@ -20,9 +20,6 @@ class UnknownDrakeTag(VendorRule):
     `sdfcheck describe drake:NAME` and Drake's page "Model description parsing" list them. An element of
     your own needs another prefix.
     """
-    affects = {
-        Consumer.DRAKE: {"sdf": refuses("refuses the file in most places"), "urdf": warns("ignores it")}
-    }
     prefix = "drake"
     looks_at = (VendorTag,)
     scaffold = MODEL
@@ -63,13 +60,4 @@ class UnknownDrakeTag(VendorRule):
         return tag.prefix == "drake" and tag.definition is None
 
     def check(self, tag: VendorTag) -> Iterator[Diagnostic]:
-        is_prefixed = tag.name.startswith("drake:")
-        what = f"`{tag.name}` is not known to Drake" if is_prefixed else f"`{tag.name}` has no prefix"
-        near = tag.meant
-        yield self.report(
-            tag,
-            what,
-            tag.effect,
-            rest=f"; did you mean `{near}`?" if near else "",
-            fix=self.renaming(tag, near) if near else None,
-        )
+        yield self.unknown(tag)

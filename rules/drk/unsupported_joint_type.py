@@ -11,8 +11,8 @@ from sdfcheck import (
     Severity,
     VendorRule,
     VendorValue,
+    accepts,
 )
-from sdfcheck_rules.drk.choices import unknown_choice
 from sdfcheck_rules.drk.effect import IGNORES, affects, does, severity
 from sdfcheck_rules.drk.scaffolds import JOINT, MODEL, ROBOT, ROBOT_JOINT
 
@@ -22,6 +22,9 @@ OWN_IN_URDF = frozenset(("ball", "curvilinear", "screw", "universal"))
 """The types that are written as `drake:joint` there."""
 
 ENDS = '<parent link="a"/><child link="b"/>'
+
+UNREAD_BY_PYBULLET = (Consumer.PYBULLET.value, accepts("does not read it"))
+"""It warns of a joint of such a type, and not of a `drake:joint`."""
 
 
 class UnsupportedJointType(VendorRule):
@@ -42,7 +45,6 @@ class UnsupportedJointType(VendorRule):
     `<drake:joint type="ball">` and the like are Drake's spelling of types that URDF lacks; other consumers
     ignore them.
     """
-    affects = {Consumer.DRAKE: REFUSES}
     prefix = "drake"
     looks_at = (Joint, VendorValue)
     selects = ("sdf:joint", "urdf:robot/joint")
@@ -94,7 +96,8 @@ class UnsupportedJointType(VendorRule):
     def _of_own(self, kind: VendorValue) -> Iterator[Diagnostic]:
         """The type of a `drake:joint`."""
         if kind.prefix == "drake" and kind.tag.name == "drake:joint" and kind.is_unknown_choice:
-            yield unknown_choice(self, kind)
+            found = self.malformed(kind)
+            yield found._replace(affects=(*found.affects, UNREAD_BY_PYBULLET))
 
 
 def _in_sdf(joint: Joint) -> Iterator[tuple[Reaction, str, str]]:

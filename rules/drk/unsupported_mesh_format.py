@@ -1,20 +1,7 @@
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Geometry,
-    Good,
-    Rule,
-    Severity,
-    Shape,
-    listed,
-    refuses,
-    warns,
-)
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Geometry, Good, Rule, Severity, Shape, listed, warns
 from sdfcheck_rules.drk.effect import affects, does
 from sdfcheck_rules.drk.scaffolds import BOX, COLLISION, LINK, ROBOT_LINK
 
@@ -47,7 +34,6 @@ class UnsupportedMeshFormat(Rule):
     alone, Drake opens no meshes.
     """
     default = False
-    affects = {Consumer.DRAKE: refuses("refuses a collision mesh, does not show a visual one")}
     looks_at = (Geometry,)
     selects = ("sdf:geometry", "urdf:robot/link/visual/geometry", "urdf:robot/link/collision/geometry")
     scaffold = COLLISION

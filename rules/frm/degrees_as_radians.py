@@ -5,7 +5,6 @@ from sdfcheck import (
     IN_LINK,
     IN_ROBOT,
     Bad,
-    Consumer,
     Diagnostic,
     Element,
     Good,
@@ -15,7 +14,6 @@ from sdfcheck import (
     Value,
     listed,
     make_fix,
-    warns,
 )
 
 _WHOLE_TURN = 2 * math.pi
@@ -41,7 +39,6 @@ class DegreesAsRadians(Rule):
     takes degrees as they are, and `sdfcheck print --degrees FILE` writes all poses so. In xacro write
     `${radians(90)}` or `${pi/2}`.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it for radians"))
     looks_at = (Element,)
     selects = ("sdf:pose", "urdf:origin")
     scaffold = IN_LINK

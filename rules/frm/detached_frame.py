@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Joint, Rule, Severity
 
 
 class DetachedFrame(Rule):
@@ -19,7 +19,6 @@ class DetachedFrame(Rule):
     Where the static model is only a place to hold something, let the parent of the joint be `world` and
     give the joint the pose of that place. If the model has to move after all, remove its `<static>`.
     """
-    affects = {Consumer.DRAKE: REFUSES, Consumer.GAZEBO: warns("refuses the file in some versions")}
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

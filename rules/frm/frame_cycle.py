@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Root, Rule, Severity
 
 _SHOWN = 6
 
@@ -24,7 +24,6 @@ class FrameCycle(Rule):
     child: a link that is placed relative to its own joint needs the joint to be placed relative to the
     parent.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_WORLD,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    problems,
-    warns,
-)
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Rule, Severity, TextEdit, make_fix, problems
 
 INCLUDE = (
     "<include{}><uri>https://fuel.gazebosim.org/1.0/a/models/b</uri><pose{}>0 0 0 0 0 90</pose></include>"
@@ -35,7 +22,6 @@ class MisplacedDegrees(Rule):
     It concerns one pose only, so each pose with degrees needs an attribute of its own, and so does the file
     `version="1.9"` or later. Otherwise write radians; `sdfcheck print --radians FILE` converts.
     """
-    affects = {Consumer.GAZEBO: warns("reads radians"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_WORLD
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity
+from sdfcheck import SDF, Bad, Diagnostic, Good, Model, Rule, Severity
 
 
 class ModelWithoutLink(Rule):
@@ -19,7 +19,6 @@ class ModelWithoutLink(Rule):
     the world is better written as a `<frame>` of the world. If the links were lost, look for a misspelled
     or wrapped `link`.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model,)
     scaffold = SDF
 

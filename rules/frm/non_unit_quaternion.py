@@ -13,7 +13,6 @@ from sdfcheck import (
     Severity,
     TextEdit,
     make_fix,
-    warns,
 )
 
 _NO_ROTATION = (0.0, 0.0, 0.0, 1.0)
@@ -40,10 +39,6 @@ class NonUnitQuaternion(Rule):
     only if digits are missing, but another rotation in any case. No rotation is `0 0 0 1`. Six digits or
     more keep the length near enough to 1.
     """
-    affects = {
-        Consumer.GAZEBO: warns("takes it as it is"),
-        Consumer.DRAKE: warns("normalizes it, and refuses zero"),
-    }
     looks_at = (Element,)
     selects = ("sdf:pose",)
     scaffold = IN_LINK

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    SDF,
-    Bad,
-    Consumer,
-    Diagnostic,
-    FrameReference,
-    Good,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-)
+from sdfcheck import SDF, Bad, Diagnostic, FrameReference, Good, Rule, Severity, TextEdit, make_fix
 
 
 class RelativeTopLevelPose(Rule):
@@ -30,7 +18,6 @@ class RelativeTopLevelPose(Rule):
     Give the pose where the model is used: as the `<pose>` of the `<include>`, which can be relative to a
     frame of the world or model there.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (FrameReference,)
     scaffold = SDF
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity
+from sdfcheck import SDF, Bad, Diagnostic, Good, Model, Rule, Severity
 
 
 class UnknownCanonicalLink(Rule):
@@ -20,7 +20,6 @@ class UnknownCanonicalLink(Rule):
     base, is the usual choice. For a frame name the link that it is attached to; a link of a nested model is
     `arm::base`.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model,)
     scaffold = SDF
 

@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_MODEL,
-    REFUSES,
     SDF,
     Bad,
     Consumer,
@@ -40,7 +39,6 @@ class UnknownFrame(Rule):
     the include or the outer model place it with a pose or a joint of its own. A frame of the world cannot
     be named in a model.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (FrameReference,)
     scaffold = IN_MODEL
 

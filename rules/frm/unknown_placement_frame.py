@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Include, Model, Rule, Severity
+from sdfcheck import SDF, Bad, Diagnostic, Good, Include, Model, Rule, Severity
 
 
 class UnknownPlacementFrame(Rule):
@@ -19,7 +19,6 @@ class UnknownPlacementFrame(Rule):
     The name is one of the model itself, without the name of the model before it. `sdfcheck graph frames` of
     the included file lists them. Without `placement_frame` the origin of the model is what gets the pose.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Model, Include)
     scaffold = SDF
 

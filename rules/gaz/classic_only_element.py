@@ -6,7 +6,6 @@ from sdfcheck import (
     IN_MODEL,
     IN_WORLD,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Plugin,
@@ -16,7 +15,6 @@ from sdfcheck import (
     Severity,
     Target,
     used,
-    warns,
 )
 
 ELEMENTS = {
@@ -57,7 +55,6 @@ class ClassicOnlyElement(Rule):
     choose one of them.
     """
     default = False
-    affects = {Consumer.GAZEBO: warns("ignores it")}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

@@ -4,7 +4,6 @@ from sdfcheck import (
     IN_LINK,
     IN_MODEL,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Model,
@@ -14,7 +13,6 @@ from sdfcheck import (
     Sensor,
     Severity,
     Value,
-    warns,
 )
 
 SENSOR = '<sensor name="{}" type="imu"><topic>{}</topic></sensor>'
@@ -62,7 +60,6 @@ class ContestedTopic(Rule):
     Gazebo makes one from world, model, link and sensor. The numbers of motors are the places in the list of
     speeds, from 0 on.
     """
-    affects = {Consumer.GAZEBO: warns("mixes them")}
     looks_at = (Root,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, rename, warns
+from sdfcheck import Bad, Diagnostic, GazeboBlock, Good, Rule, Severity, rename
 
 DISABLED = "disableFixedJointLumping"
 PRESERVED = "preserveFixedJoint"
@@ -25,7 +25,6 @@ class DisabledLumping(Rule):
     A fixed joint that is kept needs a link with mass on each side. Where only a sensor needs the frame, the
     name of the link survives as a frame without either setting.
     """
-    affects = {Consumer.GAZEBO: warns("makes a revolute joint")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Element,
-    GazeboBlock,
-    Good,
-    Rule,
-    Severity,
-    Value,
-    named,
-    warns,
-)
+from sdfcheck import Bad, Diagnostic, Element, GazeboBlock, Good, Rule, Severity, Value, named
 
 HANDED_ON = {
     "collision": frozenset("collision fdir1 kd kp laserRetro maxContacts maxVel minDepth mu1 mu2".split()),
@@ -40,7 +28,6 @@ class ExtensionLostByName(Rule):
     Nothing refers to such names in a URDF but contact sensors, so removing them costs little. In SDFormat,
     write friction and material directly into the `<collision>` and the `<visual>`.
     """
-    affects = {Consumer.GAZEBO: warns("drops the settings")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT
 

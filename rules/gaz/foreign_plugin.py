@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Root, Rule, Severity, used, warns
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Plugin, Root, Rule, Severity, used
 
 NEWEST = "the new Gazebo"
 ROS = ("Gazebo Classic with ROS 1", "Gazebo Classic with ROS 2")
@@ -41,7 +41,6 @@ class ForeignPlugin(Rule):
 
     In a file for several, conditions of xacro choose one of them.
     """
-    affects = {Consumer.GAZEBO: warns("does not load it")}
     looks_at = (Root,)
     scaffold = IN_ROBOT
 

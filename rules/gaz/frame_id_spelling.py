@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Element,
-    Good,
-    Root,
-    Rule,
-    Severity,
-    rename,
-    used,
-    warns,
-)
+from sdfcheck import Bad, Diagnostic, Element, Good, Root, Rule, Severity, rename, used
 
 STANDARD = "frame_id"
 CURRENT = "gz_frame_id"
@@ -46,7 +33,6 @@ class FrameIdSpelling(Rule):
     The value is the link of the robot that tf2 knows, such as `laser_link`, without a slash. For Drake,
     which refuses `gz_frame_id`, declare version 1.12 and write `frame_id`.
     """
-    affects = {Consumer.GAZEBO: warns("warns, and may ignore it"), Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = SENSOR
 

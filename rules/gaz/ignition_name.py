@@ -4,7 +4,6 @@ from sdfcheck import (
     IN_MODEL,
     IN_ROBOT,
     Bad,
-    Consumer,
     Diagnostic,
     Element,
     Good,
@@ -16,7 +15,6 @@ from sdfcheck import (
     TextEdit,
     Value,
     make_fix,
-    warns,
 )
 from sdfcheck_rules.gaz.ignition import new_class, new_file
 
@@ -45,7 +43,6 @@ class IgnitionName(Rule):
     The library of a system is `gz-sim-…-system`, its class `gz::sim::systems::…`. Keep the old name only if
     the file has to run in Ignition Citadel or Edifice; Fortress takes the new names of plugins.
     """
-    affects = {Consumer.GAZEBO: warns("does not find it, from Harmonic on")}
     looks_at = (Plugin, Root)
     scaffold = IN_MODEL
 

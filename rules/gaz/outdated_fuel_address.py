@@ -5,7 +5,6 @@ from sdfcheck import (
     IN_VISUAL,
     IN_WORLD,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Root,
@@ -15,7 +14,6 @@ from sdfcheck import (
     Value,
     make_fix,
     used,
-    warns,
 )
 
 OLD, NEW = "fuel.ignitionrobotics.org", "fuel.gazebosim.org"
@@ -38,7 +36,6 @@ class OutdatedFuelAddress(Rule):
 
     The paths stay the same. Models in the cache of the old host are fetched once more.
     """
-    affects = {Consumer.GAZEBO: warns("fetches it by a redirect")}
     looks_at = (Root,)
     needs = (MARK,)
     scaffold = IN_WORLD

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Element, GazeboBlock, Good, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Element, GazeboBlock, Good, Rule, Severity
 
 BOX = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 ROBOT = f'<robot name="r"><link name="base">{BOX}</link>{{}}</robot>'
@@ -20,7 +20,6 @@ class RepeatedSetting(Rule):
     Blocks of all files that are included add up, so look in the macros of the parts, too. The last one is
     in effect now.
     """
-    affects = {Consumer.GAZEBO: warns("takes the last")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT
 

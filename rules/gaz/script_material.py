@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_VISUAL,
     Bad,
-    Consumer,
     Diagnostic,
     GazeboBlock,
     Good,
@@ -13,7 +12,6 @@ from sdfcheck import (
     Severity,
     Target,
     used,
-    warns,
 )
 
 COLORS = ("ambient", "diffuse", "emissive", "pbr")
@@ -43,10 +41,6 @@ class ScriptMaterial(Rule):
     `<pbr><metal><albedo_map>` with the path of the image. The script can stay for Gazebo Classic beside
     them.
     """
-    affects = {
-        Consumer.GAZEBO: warns("shows the default color"),
-        Consumer.DRAKE: {"sdf": warns("shows the default color")},
-    }
     looks_at = (Root,)
     scaffold = IN_VISUAL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, warns
+from sdfcheck import Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity
 
 SENSOR = '<sensor name="ft" type="force_torque"/>'
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -26,7 +26,6 @@ class SensorOnMergedJoint(Rule):
     Force and torque sensors need it. Cameras, lidars and IMUs belong in a block for the child link:
     libsdformat moves them along when it merges it.
     """
-    affects = {Consumer.GAZEBO: warns("drops the sensor")}
     looks_at = (GazeboBlock,)
     scaffold = ROBOT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Plugin, Rule, Severity, Value, warns
+from sdfcheck import Bad, Diagnostic, Good, Link, Plugin, Rule, Severity, Value
 
 WHEEL = (
     '<link name="{0}"><collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry>'
@@ -40,7 +40,6 @@ class SlipperyWheel(Rule):
     `<mu2>` in a `<gazebo>` block about the link.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("spins the wheel in place")}
     looks_at = (Plugin,)
 
     bad = (

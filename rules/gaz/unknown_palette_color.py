@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_ROBOT,
-    IN_VISUAL,
-    Bad,
-    Consumer,
-    Diagnostic,
-    GazeboBlock,
-    Good,
-    Material,
-    Rule,
-    Severity,
-    Value,
-    warns,
-)
+from sdfcheck import IN_ROBOT, IN_VISUAL, Bad, Diagnostic, GazeboBlock, Good, Material, Rule, Severity, Value
 
 PREFIX = "Gazebo/"
 COLORS = frozenset(
@@ -51,7 +38,6 @@ class UnknownPaletteColor(Rule):
     A color that every release shows is written out: `<ambient>` and `<diffuse>` in SDFormat, the
     `<color rgba="…"/>` of a `<material>` in URDF.
     """
-    affects = {Consumer.GAZEBO: warns("shows the default color")}
     looks_at = (GazeboBlock, Material)
     needs = ("<script", "<gazebo")
     scaffold = IN_ROBOT

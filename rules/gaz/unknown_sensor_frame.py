@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, replace, warns
+from sdfcheck import Bad, Diagnostic, Good, Rule, Sensor, Severity, Value, replace
 
 FRAMES = ("gz_frame_id", "ignition_frame_id", "frame_id")
 """Elements of a sensor that say in which frame its messages are."""
@@ -31,7 +31,6 @@ class UnknownSensorFrame(Rule):
     A camera that ROS processes wants an optical frame: a link turned by `rpy="-1.5708 0 -1.5708"`. If
     another program publishes the frame, ignore this with a comment that names it.
     """
-    affects = {Consumer.GAZEBO: warns("writes the name into each message")}
     looks_at = (Sensor,)
     scaffold = SENSOR
 

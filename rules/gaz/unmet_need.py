@@ -1,19 +1,6 @@
 from collections.abc import Iterator, Mapping
 
-from sdfcheck import (
-    IN_WORLD,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Sensor,
-    Severity,
-    Target,
-    World,
-    warns,
-)
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Sensor, Severity, Target, World
 
 ADVICE: Mapping[type, str] = {
     Sensor: "add `<spherical_coordinates>` to the world",
@@ -55,7 +42,6 @@ class UnmetNeed(Rule):
       `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
     - A heightmap: `<physics><dart><collision_detector>bullet</collision_detector></dart></physics>`.
     """
-    affects = {Consumer.GAZEBO: warns("simulates without it")}
     looks_at = (World,)
     scaffold = IN_WORLD
 

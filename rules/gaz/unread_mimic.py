@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Model, Rule, Severity, accepts
+from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 
 CONTROL = "libgazebo_ros_control.so"
 ROBOT = (
@@ -30,7 +30,6 @@ class UnreadMimic(Rule):
     For Gazebo Classic that is `libroboticsgroup_gazebo_mimic_joint_plugin.so` or one of its kind, which is
     built apart.
     """
-    affects = {Consumer.GAZEBO: accepts("follows it, or not, by its engine")}
     looks_at = (Model,)
     selects = ("urdf:robot",)
 

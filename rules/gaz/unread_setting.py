@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Rule, Severity, warns
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, GazeboBlock, Good, Rule, Severity
 
 ARM = '<link name="arm"/><joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>'
 WHAT = {"link": "a link", "joint": "a joint", "robot": "the robot"}
@@ -23,7 +23,6 @@ class UnreadSetting(Rule):
     xacro saves the repetition. Friction, contact and materials belong to links, `stopCfm`, `stopErp`,
     `implicitSpringDamper` and `provideFeedback` to joints.
     """
-    affects = {Consumer.GAZEBO: warns("drops the setting")}
     looks_at = (GazeboBlock,)
     scaffold = IN_ROBOT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, GazeboBlock, Good, Root, Rule, Severity, warns
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, GazeboBlock, Good, Root, Rule, Severity
 
 OTHERS = ("visual", "collision", "material", "robot")
 """Other parts whose name may be taken for a reference."""
@@ -22,7 +22,6 @@ class UnreferencedExtension(Rule):
     With xacro the prefix of the link belongs into the reference as well: `reference="${prefix}base"`. A
     block for a link that another file brings can stay there if that file is included.
     """
-    affects = {Consumer.GAZEBO: warns("drops the block")}
     looks_at = (GazeboBlock,)
     scaffold = IN_ROBOT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_VISUAL, REFUSES, Bad, Consumer, Diagnostic, Good, Material, Rule, Severity
+from sdfcheck import IN_VISUAL, Bad, Diagnostic, Good, Material, Rule, Severity
 
 UNSET = frozenset({"", "__default__"})
 """The texts that the consumer does not take for a URI: an empty one, and the word for it."""
@@ -23,7 +23,6 @@ class UnsetScriptUri(Rule):
     `file://media/materials/scripts/gazebo.material` is the palette of Gazebo Classic. New Gazebo loads no
     scripts: for it `<ambient>` and `<diffuse>` are what counts.
     """
-    affects = {Consumer.GAZEBO: {"sdf": REFUSES}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Material,)
     needs = ("<script",)
     scaffold = IN_VISUAL

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Collision, Consumer, Diagnostic, Good, Rule, Severity, warns
+from sdfcheck import IN_URDF_LINK, Bad, Collision, Diagnostic, Good, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import mesh, triangles
 
 MOST = 200_000
@@ -23,7 +23,6 @@ class DenseCollisionMesh(Rule):
     Edge Collapse Decimation) and Blender make one. A part that is not convex, such as a gripper, is split
     into several convex ones. The visual keeps its fine mesh.
     """
-    affects = dict.fromkeys(Consumer, warns("is slow"))
     looks_at = (Collision,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_URDF_LINK

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity
 
 MOST = 0.45
 """Of the longer one: of 3,828 links in public robots three are farther apart, all of them by mistake."""
@@ -29,7 +29,6 @@ class DetachedCollision(Rule):
     an offset that moves its mesh to the link, a collision from the same drawing needs the same, and a box
     around the part needs the middle of the part.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_LINK

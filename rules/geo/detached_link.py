@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Link, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 from sdfcheck_rules.geo.detached_collision import gap
 from sdfcheck_rules.geo.oversized_shape import LARGEST
 from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
@@ -29,7 +29,6 @@ class DetachedLink(Rule):
     The `origin` of a joint is in the frame of its parent link, in meters; that of a visual or collision is in the
     frame of its own link. `sdfcheck view FILE` shows the gap.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     selects = ("urdf:robot",)
     needs = ("<mesh", ":mesh")

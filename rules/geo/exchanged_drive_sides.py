@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 
@@ -21,7 +21,6 @@ class ExchangedDriveSides(Rule):
     ROS has it. If the names of the joints themselves are wrong, rename the joints instead. A robot that
     then drives backwards has axes that point to the right: turn both around.
     """
-    affects = {Consumer.GAZEBO: warns("turns the other way")}
     looks_at = (Plugin,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import car
 
 MOST = 0.1
@@ -22,7 +22,6 @@ class MismatchedAxleDistance(Rule):
     If the number is right, move the joints.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("turns by another angle")}
     looks_at = (Plugin,)
 
     bad = (Bad(car(base="«0.25»"), says="the axles are 0.5 m apart, and `wheelbase` says 0.25"),)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity
 
 MOST = 10.0
 """Of 3,828 links in public robots that have both, none that moves differs so much."""
@@ -26,7 +26,6 @@ class MismatchedCollisionSize(Rule):
     The one that agrees with the distances between the joints (`sdfcheck graph poses FILE`) is right.
     Millimeters need a scale of 0.001, centimeters 0.01, inches 0.0254.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_LINK

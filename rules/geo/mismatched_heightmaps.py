@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, Value, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity, Value
 
 NAMES = ("pos", "size")
 GROUND = (
@@ -23,7 +23,6 @@ class MismatchedHeightmaps(Rule):
     Sizes and positions are in meters, and z of the size is the height between the darkest and the brightest
     pixel. Copy the ones of the visual if the ground looks right.
     """
-    affects = {Consumer.GAZEBO: warns("shows another ground than it touches")}
     looks_at = (Link,)
     needs = ("<heightmap",)
     scaffold = IN_LINK

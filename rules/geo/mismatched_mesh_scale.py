@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_LINK,
-    IN_URDF_LINK,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Link,
-    Rule,
-    Severity,
-    Shape,
-    warns,
-)
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Link, Rule, Severity, Shape
 from sdfcheck_rules.geo.scaffolds import mesh
 
 MOST = 10.0
@@ -33,7 +21,6 @@ class MismatchedMeshScale(Rule):
     The right one is that which makes the part as long as the real one: 0.001 for a file in millimeters, 1
     for one in meters. A property of xacro for the scale keeps both from drifting apart.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Link,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_URDF_LINK

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 MOST = 0.1
@@ -25,7 +25,6 @@ class MismatchedWheelRadius(Rule):
     the same number belongs into the visual, the collision and the configuration of the controller, best
     from one property of xacro.
     """
-    affects = {Consumer.GAZEBO: warns("drives farther, or in a circle")}
     looks_at = (Plugin,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 MOST = 0.1
@@ -23,7 +23,6 @@ class MismatchedWheelSeparation(Rule):
     of the two y of a robot that drives along x. The distance counts between the middles of the treads, not
     between the sides of the chassis.
     """
-    affects = {Consumer.GAZEBO: warns("turns by another angle")}
     looks_at = (Plugin,)
 
     bad = (

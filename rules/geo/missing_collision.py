@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity
 
 NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
@@ -39,7 +39,6 @@ class MissingCollision(Rule):
     A cylinder or box of the outer measures is faster than the mesh and mostly better in contact. Where the
     link is meant to touch nothing, say so by a comment that ignores this finding.
     """
-    affects = dict.fromkeys(Consumer, warns("lets it pass through everything"))
     looks_at = (Model,)
     needs = ("<joint",)
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Visual, used, warns
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Model, Rule, Severity, Visual, used
 from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 OBJ = "mtllib arm.mtl\n" + wedge(1)
@@ -29,7 +29,6 @@ class MissingMeshFile(Rule):
     `material` of its own.
     """
     preview = True
-    affects = dict.fromkeys(Consumer, warns("draws it without its colors"))
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_URDF_LINK

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 
@@ -20,7 +20,6 @@ class OpposedDriveAxes(Rule):
     its pose needs `0 -1 0`. The speed is positive forwards when the axes point to the left of the robot.
     Signs in controllers that made up for the difference have to go with it.
     """
-    affects = {Consumer.GAZEBO: warns("spins instead of driving")}
     looks_at = (Plugin,)
 
     bad = (

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Shape, Value, used, warns
+from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity, Shape, Value, used
 from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
 
 MOST = 100.0
@@ -33,7 +33,6 @@ class OversizedShape(Rule):
     cylinder or sphere divide the numbers by 1000. The moments of inertia were likely computed from the same
     drawing: compare them with `sdfcheck inertia FILE`.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")
     scaffold = ARM

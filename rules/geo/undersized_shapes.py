@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Shape, warns
+from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity, Shape
 from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 LEAST = 0.01
@@ -32,7 +32,6 @@ class UndersizedShapes(Rule):
     name their unit in `<unit meter="…">`, which Gazebo applies before `scale`; STL and OBJ have none. If
     the joints are in millimeters and the shapes in meters, correct the joints instead.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Geometry, Good, Rule, Severity, warns
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Geometry, Good, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 READ = {"STL": ("stl",), "OBJ": ("obj",), "COLLADA": ("dae",), "glTF": ("gltf",), "GLB": ("glb",)}
@@ -24,7 +24,6 @@ class UnreadableMesh(Rule):
     OBJ file. A file of another format can be renamed with its true ending, or converted in MeshLab or
     Blender.
     """
-    affects = dict.fromkeys(Consumer, warns("has no shape there, or refuses the file"))
     looks_at = (Geometry,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_URDF_LINK

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import acos, cos, degrees, dist, hypot, radians
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
 
 MOST = cos(radians(10))
 """Of 329 wheels in public robots four are turned farther, all of one robot, and by mistake."""
@@ -30,7 +30,6 @@ class WheelAcrossAxis(Rule):
     collision. For an axis along x it is `0 1.5708 0`. The moments of inertia turn with it: the axle has the
     moment m r² / 2.
     """
-    affects = dict.fromkeys(Consumer, warns("tumbles on its edges"))
     looks_at = (Joint,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.places import is_off_origin, place_of
 
 MASS = "<mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
@@ -29,7 +29,6 @@ class CenterAtOrigin(Rule):
     origin of the link. The moments stay as they are if they were computed about the center of mass; those
     about the origin of the link have to be converted (`sdfcheck rule inertia-about-wrong-point`).
     """
-    affects = dict.fromkeys(Consumer, warns("takes the origin of the link"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

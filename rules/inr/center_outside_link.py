@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.places import is_off_origin, outside
 
 MOST = 0.7
@@ -29,7 +29,6 @@ class CenterOutsideLink(Rule):
     both with `sdfcheck view FILE`. A counterweight without a shape is a good reason to keep it; say so in a
     comment that ignores this.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

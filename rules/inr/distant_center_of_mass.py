@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import hypot
 
-from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 
 MOST = 10.0
 """m"""
@@ -25,7 +25,6 @@ class DistantCenterOfMass(Rule):
     its own coordinate system.
     """
     preview = True
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

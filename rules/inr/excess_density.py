@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import prod
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
 
 HEAVIEST = 25_000.0
@@ -32,7 +32,6 @@ class ExcessDensity(Rule):
     distances between the joints (`sdfcheck graph poses FILE`). The moments of inertia most likely have the
     same mistake.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

@@ -4,7 +4,6 @@ from sdfcheck import (
     IN_LINK,
     IN_URDF_LINK,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Inertial,
@@ -13,7 +12,6 @@ from sdfcheck import (
     Shape,
     TextEdit,
     make_fix,
-    warns,
 )
 from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
 
@@ -57,7 +55,6 @@ class ExchangedMoments(Rule):
     give the `<pose>` or `<origin>` of the inertial the same rotation, and keep the moments of the unturned
     shape.
     """
-    affects = dict.fromkeys(Consumer, warns("turns it as another body"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
@@ -23,11 +23,6 @@ class ImplausibleInertia(Rule):
     inertia is still that of the other one. `sdfcheck inertia FILE` shows them side by side.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: warns("has a link that turns too easily or hardly at all"),
-        Consumer.DRAKE: warns("has a link that turns too easily or hardly at all"),
-        Consumer.MUJOCO: warns("has a link that turns too easily or hardly at all"),
-    }
     scaffold = IN_LINK
 
     bad = (

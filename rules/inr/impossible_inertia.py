@@ -1,6 +1,6 @@
 from collections.abc import Iterator, Sequence
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite, once_merged
 
 INERTIA = (
@@ -32,11 +32,6 @@ class ImpossibleInertia(Rule):
     Moments that were typed in the wrong order or unit break the rule as well.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: warns("takes a solid sphere in its place"),
-        Consumer.MUJOCO: REFUSES,
-    }
     scaffold = IN_LINK
 
     bad = (

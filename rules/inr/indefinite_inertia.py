@@ -1,19 +1,7 @@
 from collections.abc import Iterator
 from math import sqrt
 
-from sdfcheck import (
-    IN_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Inertial,
-    Number,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Number, Rule, Severity
 from sdfcheck_rules.inr.moments import has_moments, is_indefinite, once_merged
 
 
@@ -36,11 +24,6 @@ class IndefiniteInertia(Rule):
     that none lost its exponent.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: warns("takes a solid sphere in its place"),
-        Consumer.MUJOCO: REFUSES,
-    }
     scaffold = IN_LINK
 
     bad = (

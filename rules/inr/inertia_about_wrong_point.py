@@ -1,7 +1,7 @@
 import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_about_origin, ratio
 
 
@@ -23,11 +23,6 @@ class InertiaAboutWrongPoint(Rule):
     center of mass x y z in the frame of the link.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: warns("has a link that turns too slowly"),
-        Consumer.DRAKE: warns("has a link that turns too slowly"),
-        Consumer.MUJOCO: warns("has a link that turns too slowly"),
-    }
     scaffold = IN_LINK
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Link, Rule, Severity
 
 
 class MissingInertial(Rule):
@@ -31,10 +31,6 @@ class MissingInertial(Rule):
     is better made static.
     """
     looks_at = (Link,)
-    affects = {
-        Consumer.GAZEBO: warns("takes 1 kg and unit inertia"),
-        Consumer.DRAKE: warns("takes 1 kg and unit inertia"),
-    }
     scaffold = IN_MODEL
 
     bad = (

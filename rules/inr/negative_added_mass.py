@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, Value, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity, Value
 
 DIAGONAL = ("xx", "yy", "zz", "pp", "qq", "rr")
 WATER = (
@@ -28,7 +28,6 @@ class NegativeAddedMass(Rule):
     displaces.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("takes it as it is")}
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

@@ -13,6 +13,7 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
+    drops,
     refuses,
     warns,
 )
@@ -25,7 +26,6 @@ FIXED = (
     f'<robot name="r"><link name="a">{INERTIAL.format(1, 1)}</link><link name="b">{INERTIAL}</link>'
     '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
 )
-SPHERE = "takes a solid sphere of 1 kg in its place"
 
 
 class NonPositiveMass(Rule):
@@ -49,11 +49,6 @@ class NonPositiveMass(Rule):
     same factor.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: refuses("refuses a negative mass"),
-        Consumer.DRAKE: warns(SPHERE),
-        Consumer.MUJOCO: refuses("refuses a link that moves"),
-    }
     scaffold = IN_LINK
 
     bad = (
@@ -107,9 +102,7 @@ class NonPositiveMass(Rule):
         if not _moves(link):
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)
         elif inertial.is_urdf:
-            affects.setdefault(
-                Consumer.GAZEBO, warns("drops the link, and before version 17 refuses the file")
-            )
+            affects.setdefault(Consumer.GAZEBO, drops("the link, and before version 17 refuses the file"))
         what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
             mass, f"mass {mass.text} is {what}", labels={link: "the mass of this link"}, affects=affects

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf, sqrt
 
-from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 
 LEAST = 1e-6
 """kg: less counts as none, for which there are rules."""
@@ -26,7 +26,6 @@ class OversizedInertia(Rule):
     of gyration in meters: it has to be less than the size of the part.
     """
     preview = True
-    affects = dict.fromkeys(Consumer, warns("can hardly turn the link"))
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

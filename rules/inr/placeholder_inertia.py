@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_far_off, is_too_large, is_unit, most, ratio
 from sdfcheck_rules.inr.ratios import times
 
@@ -23,11 +23,6 @@ class PlaceholderInertia(Rule):
     kg·m², not 1.
     """
     looks_at = (Inertial,)
-    affects = {
-        Consumer.GAZEBO: warns("has a link that hardly turns"),
-        Consumer.DRAKE: warns("has a link that hardly turns"),
-        Consumer.MUJOCO: warns("has a link that hardly turns"),
-    }
     scaffold = IN_LINK
 
     bad = (

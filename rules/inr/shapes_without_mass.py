@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
 
 MASS = '<inertial><mass value="{}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 SHAPE = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
@@ -28,7 +28,6 @@ class ShapesWithoutMass(Rule):
     the whole, move it to the link that moves, and remove it from the fixed one.
     `sdfcheck rule missing-inertial` says how to get the numbers.
     """
-    affects = dict.fromkeys(Consumer, warns("takes the mass of the other link for both"))
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
     scaffold = ARM

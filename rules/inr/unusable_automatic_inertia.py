@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
-    REFUSES,
     Bad,
     Collision,
     Consumer,
@@ -36,7 +35,6 @@ class UnusableAutomaticInertia(Rule):
     or in the `<inertial auto="true">`. A link without collision needs a written `<inertial>`.
     """
     looks_at = (Inertial,)
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     scaffold = IN_LINK
 
     bad = (

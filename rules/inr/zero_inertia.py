@@ -12,8 +12,6 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
-    refuses,
-    warns,
 )
 from sdfcheck_rules.inr.moments import has_moments
 
@@ -53,7 +51,6 @@ class ZeroInertia(Rule):
     decimals. A tiny placeholder such as 1e-9 makes simulations unstable where a heavy link hangs on it.
     """
     looks_at = (Inertial,)
-    affects = {Consumer.DRAKE: warns("cannot simulate it"), Consumer.MUJOCO: refuses("refuses it on a joint")}
     scaffold = IN_LINK
 
     bad = (

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import dist, hypot
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 
 LEAST, SHARE = 0.005, 0.05
 """m, and of the distance: joints that are made by hand differ by less."""
@@ -30,7 +30,6 @@ class AsymmetricJoint(Rule):
     That is so for a robot that looks along x. Check both against the drawing, for either may be the wrong
     one. A macro of xacro with a `reflect` of 1 and -1 writes both sides from one set of numbers.
     """
-    affects = dict.fromkeys(Consumer, warns("takes it as it is"))
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = ROBOT

@@ -1,21 +1,7 @@
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Limit,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity, TextEdit, make_fix
 
 BOUNDED = frozenset(("prismatic", "revolute"))
 """The types of joint for which URDF has limits."""
@@ -36,12 +22,6 @@ class InvertedLimits(Rule):
     Lower is the smaller number. When an axis is turned around, both limits change their signs and their
     places: -0.5 to 2 becomes -2 to 0.5.
     """
-    affects = {
-        Consumer.GAZEBO: {"sdf": warns("takes them as they are"), "urdf": warns("exchanges them")},
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("takes them as they are"),
-        Consumer.MUJOCO: warns("drops the limits"),
-    }
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_MODEL,
     IN_ROBOT,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -37,12 +36,6 @@ class JointLoop(Rule):
     That link is the root, mostly the base. `sdfcheck graph joints FILE` shows which joint carries which
     link. A real loop of a mechanism is cut at one joint, and closed by a constraint of the simulator.
     """
-    affects = {
-        Consumer.GAZEBO: {"urdf": REFUSES},
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Root,)
     scaffold = IN_MODEL
 

@@ -1,20 +1,7 @@
 from collections.abc import Iterator
 from math import radians
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Limit,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity, TextEdit, make_fix
 
 ROUND = 30.0
 """Whole numbers from here on are usual limits in degrees; others are so from ``LEAST`` on."""
@@ -41,7 +28,6 @@ class LimitsInDegrees(Rule):
     sight. SDFormat has a unit for the angles of poses only, not for limits. `velocity` of the same joint is
     in rad/s, too: 1 rpm is 0.1047 rad/s.
     """
-    affects = dict.fromkeys(Consumer, warns("reads them as radians"))
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

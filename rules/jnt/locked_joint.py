@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, warns
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
 from sdfcheck_rules.jnt.inverted_limits import BOUNDED
 
 AXIS = "<axis><xyz>0 0 1</xyz><limit><lower>{}</lower><upper>{}</upper></limit></axis>"
@@ -21,9 +21,6 @@ class LockedJoint(Rule):
     A fixed joint keeps the position in its pose: turn the `<origin>` or `<pose>` by the locked angle. If a
     sign was lost, the limits are mostly symmetric: -0.035 and 0.035.
     """
-    affects = dict.fromkeys(
-        (Consumer.GAZEBO, Consumer.DRAKE, Consumer.URDFDOM), warns("has a joint that cannot move")
-    )
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Limit, Mimic, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Limit, Mimic, Rule, Severity
 
 SHARE = 0.05
 """Of the range of the leader: less is rounding."""
@@ -30,7 +30,6 @@ class MimicBeyondLimits(Rule):
     lower and upper change places.
     """
     preview = True
-    affects = dict.fromkeys(Consumer, warns("moves it beyond its limits, or holds it back"))
     looks_at = (Mimic,)
     selects = ("urdf:joint/mimic",)
 

@@ -11,7 +11,6 @@ from sdfcheck import (
     Root,
     Rule,
     Severity,
-    refuses,
     warns,
 )
 
@@ -35,12 +34,6 @@ class MimicCycle(Rule):
     That is the one with the motor. All others follow it directly: for a follower of a follower multiply the
     multipliers.
     """
-    affects = {
-        Consumer.GAZEBO: refuses("refuses a joint that mimics itself"),
-        Consumer.DRAKE: refuses("refuses a joint that mimics itself"),
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: refuses("refuses a joint that mimics itself"),
-    }
     looks_at = (Root,)
     scaffold = IN_JOINT
 

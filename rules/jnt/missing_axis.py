@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Joint, Rule, Severity
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 
@@ -21,7 +21,6 @@ class MissingAxis(Rule):
     axis for prismatic joints, by the rule of the right hand for those that turn. Universal and revolute2
     joints need `axis` and `axis2`. A joint without motion is of type fixed.
     """
-    affects = {Consumer.GAZEBO: warns("takes a default"), Consumer.DRAKE: REFUSES}
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, warns
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
 
 BOUNDED = frozenset({"revolute", "prismatic"})
 
@@ -21,12 +21,6 @@ class MissingUpperLimit(Rule):
     a continuous one has no limits at all.
     """
     preview = True
-    affects = {
-        Consumer.GAZEBO: {"sdf": warns("sets no limit"), "urdf": warns("takes 0")},
-        Consumer.DRAKE: warns("sets no limit"),
-        Consumer.URDFDOM: warns("takes 0"),
-        Consumer.MUJOCO: warns("sets no limit"),
-    }
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

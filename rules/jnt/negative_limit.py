@@ -38,12 +38,6 @@ class NegativeLimit(Rule):
     limits are magnitudes that hold in both directions. In SDFormat no limit is `-1`, or no element at all;
     in URDF both are required, and a large number has to do.
     """
-    affects = {
-        Consumer.GAZEBO: warns("takes it as no limit, or as it is"),
-        Consumer.DRAKE: refuses("refuses negative damping"),
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: warns("takes it as it is"),
-    }
     looks_at = (Limit, Dynamics)
     scaffold = IN_JOINT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
 
 LEAST = 3
 """Counterparts that agree."""
@@ -33,7 +33,6 @@ class OpposedAxis(Rule):
     the same way. With the axis, the limits change: exchange and negate them. If the drive is really mounted
     the other way, say so in a comment that ignores this.
     """
-    affects = dict.fromkeys(Consumer, warns("turns it the other way"))
     looks_at = (Joint,)
     selects = ("urdf:robot/joint",)
 

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf, sqrt
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 
 GRAVITY = 9.81
 """m/s²."""
@@ -35,7 +35,6 @@ class OverloadedJoint(Rule):
     `sdfcheck inertia FILE` lists the masses in kg; the effort is in N·m, or in N for a slide. If a spring or a
     counterweight carries the load, ignore this finding.
     """
-    affects = dict.fromkeys(Consumer, warns("lets it give way"))
     looks_at = (Model,)
     selects = ("urdf:robot",)
     needs = ("effort",)

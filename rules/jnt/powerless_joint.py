@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Limit, Rule, Severity, accepts, warns
+from sdfcheck import IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
 from sdfcheck_rules.jnt.zero_limit import is_locked, zeros
 
 JOINT = (
@@ -34,10 +34,6 @@ class PowerlessJoint(Rule):
     They are on the data sheet of the motor, after the gearbox. For a joint that nothing should move, take it out of
     what drives it.
     """
-    affects = {
-        Consumer.GAZEBO: warns("does not move the joint"),
-        Consumer.URDFDOM: accepts("takes it as it is"),
-    }
     looks_at = (Limit,)
 
     bad = (

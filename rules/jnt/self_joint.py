@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Joint, Rule, Severity
 
 
 class SelfJoint(Rule):
@@ -18,7 +18,6 @@ class SelfJoint(Rule):
     Mostly a line was copied and one of the two names was not changed. Where two frames of one link are
     named, the joint holds nothing and can be removed.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

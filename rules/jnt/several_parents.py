@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_MODEL,
     IN_ROBOT,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -14,8 +13,6 @@ from sdfcheck import (
     Severity,
     accepts,
     named,
-    refuses,
-    warns,
 )
 
 
@@ -37,12 +34,6 @@ class SeveralParents(Rule):
     an equality constraint, for Drake a `drake:ball_constraint`, and in URDF a `mimic` for a linkage that is
     near to a parallelogram.
     """
-    affects = {
-        Consumer.GAZEBO: {"urdf": refuses("refuses the file; version 12 does not")},
-        Consumer.DRAKE: refuses("refuses the loop"),
-        Consumer.URDFDOM: warns("hangs the link on the joint whose name comes last"),
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Root,)
     scaffold = IN_MODEL
 

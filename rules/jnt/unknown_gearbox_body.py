@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Joint, Rule, Severity
 
 GEARBOX = (
     '<link name="a"/><link name="b"/><joint name="g" type="gearbox"><parent>a</parent><child>b</child>'
@@ -24,7 +24,6 @@ class UnknownGearboxBody(Rule):
     It is the body that carries both of the coupled joints: mostly the housing, the parent of both.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("couples nothing")}
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_MODEL,
     IN_ROBOT,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -41,7 +40,6 @@ class UnknownJointEnd(Rule):
     model; `world` can be the parent. Links around the model cannot be reached: write the joint into the
     outer model instead. In URDF a link `world` has to be there for a joint to name it.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Mimic,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Mimic, Rule, Severity
 
 _LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
 
@@ -32,12 +20,6 @@ class UnknownMimicLeader(Rule):
     The leader is a joint that moves, not a link. In SDFormat the axis is `axis`, or `axis2` for joints that
     have two. If the leader gets a prefix by a macro, the name here needs the same prefix.
     """
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: warns("ignores it"),
-    }
     looks_at = (Mimic,)
     scaffold = IN_JOINT
 

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf, isclose
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 from sdfcheck_rules.jnt.opposed_axis import is_opposed
 
 NEAR = 0.02
@@ -47,7 +47,6 @@ class UnmirroredAxis(Rule):
     The mirror image of a turn about x or z is about the opposite axis, that of a turn about y about the same one.
     `sdfcheck view FILE` moves both joints: with the same position they should be each other's mirror image.
     """
-    affects = dict.fromkeys(Consumer, warns("turns it the other way"))
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = LEGS

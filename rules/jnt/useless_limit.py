@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import pi
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Limit, Number, Rule, Severity, warns
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Limit, Number, Rule, Severity
 
 _ENDS = "<parent>base</parent><child>arm</child>"
 _URDF_ENDS = '<parent link="base"/><child link="arm"/>'
@@ -27,12 +27,6 @@ class UselessLimit(Rule):
     A revolute joint takes both in radians. A wheel or a propeller turns without end: keep it continuous
     with `effort` and `velocity` only.
     """
-    affects = {
-        Consumer.GAZEBO: warns("ignores them"),
-        Consumer.DRAKE: {"sdf": warns("ignores them"), "urdf": warns("limits the joint")},
-        Consumer.URDFDOM: warns("hands them on"),
-        Consumer.MUJOCO: warns("ignores them"),
-    }
     looks_at = (Limit,)
     scaffold = IN_MODEL
 

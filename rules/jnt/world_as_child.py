@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, SDF, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, refuses
+from sdfcheck import IN_MODEL, SDF, Bad, Diagnostic, Good, Joint, Rule, Severity
 
 
 class WorldAsChild(Rule):
@@ -19,10 +19,6 @@ class WorldAsChild(Rule):
     axis around. In SDFormat the joint is placed at its child, so the joint may need a pose to stay where it
     was.
     """
-    affects = {
-        Consumer.GAZEBO: {"sdf": REFUSES, "urdf": refuses("refuses the file; version 12 does not")},
-        Consumer.DRAKE: {"sdf": REFUSES},
-    }
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    REFUSES,
-    Axis,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Axis, Bad, Diagnostic, Good, Rule, Severity
 from sdfcheck_rules.jnt.directions import has_no_length, is_used
 
 
@@ -30,12 +18,6 @@ class ZeroAxis(Rule):
     A positive position turns about it by the rule of the right hand, or slides along it. If the joint is
     not to move, make its type `fixed` and leave the axis out.
     """
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Axis,)
     scaffold = IN_JOINT
 

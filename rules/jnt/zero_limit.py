@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_URDF_JOINT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Limit,
-    Number,
-    Rule,
-    Severity,
-    accepts,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Number, Rule, Severity
 
 
 class ZeroLimit(Rule):
@@ -35,10 +22,6 @@ class ZeroLimit(Rule):
     which lets controllers work.
     """
     preview = True
-    affects = {
-        Consumer.GAZEBO: warns("cannot drive the joint"),
-        Consumer.URDFDOM: accepts("takes it as it is"),
-    }
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity, warns
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity
 
 ENDS = '<link name="a"/><link name="b"/><joint name="j" type="{}"><parent>a</parent><child>b</child>'
 AXIS = "<axis><xyz>0 0 1</xyz></axis>"
@@ -28,7 +28,6 @@ class ZeroRatio(Rule):
     sign. For a joint without coupling choose another type.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("couples nothing"), Consumer.DRAKE: warns("couples nothing")}
     looks_at = (Joint,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity, warns
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Rule, Severity
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 ROBOT = (
@@ -27,7 +27,6 @@ class FusedRoot(Rule):
     MuJoCo alone: libsdformat drops floating joints.
     """
     default = False
-    affects = {Consumer.MUJOCO: warns("makes it a part of the world")}
     looks_at = (Link,)
     scaffold = ROBOT
 

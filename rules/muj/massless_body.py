@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Rule, Severity
 from sdfcheck_rules.muj.mass import is_massless
 
 JOINT = '<joint name="j" type="{}"><parent link="base"/><child link="arm"/></joint>'
@@ -27,7 +27,6 @@ class MasslessBody(Rule):
     `<mujoco><compiler boundmass="1e-4" boundinertia="1e-7"/></mujoco>` sets lower bounds for all.
     """
     default = False
-    affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Link,)
     scaffold = IN_ROBOT
 

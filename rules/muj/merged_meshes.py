@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, Value, warns
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Model, Rule, Severity, Value
 from sdfcheck_rules.muj.meshes import compiler, mesh_files
 
 SETTING = '<mujoco><compiler strippath="true" meshdir="meshes"/></mujoco>'
@@ -23,7 +23,6 @@ class MergedMeshes(Rule):
     Or set `strippath` to false, and write paths from the folder of the robot, without `package://`.
     """
     default = False
-    affects = {Consumer.MUJOCO: warns("gives both links one shape")}
     looks_at = (Model,)
     needs = ("strippath",)
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.muj.mass import is_massless
 
 LEAST = 1e-14
@@ -27,7 +27,6 @@ class SingularInertia(Rule):
     links, leave its `<inertial>` out and fix it to one with mass.
     """
     default = False
-    affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Inertial,)
     scaffold = IN_ROBOT
 

@@ -1,19 +1,7 @@
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from sdfcheck import (
-    IN_URDF_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Model,
-    Rule,
-    Severity,
-    Value,
-    used,
-)
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Model, Rule, Severity, Value, used
 from sdfcheck_rules.muj.meshes import mesh_files
 
 MESH = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
@@ -36,7 +24,6 @@ class UndecodedMesh(Rule):
     that a COLLADA file declares: STL has neither.
     """
     default = False
-    affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Model,)
     scaffold = IN_URDF_LINK
 

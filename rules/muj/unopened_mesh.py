@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Model,
-    Rule,
-    Severity,
-    Value,
-    used,
-)
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Model, Rule, Severity, Value, used
 from sdfcheck_rules.muj.meshes import compiler, mesh_files
 
 MESH = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
@@ -37,7 +25,6 @@ class UnopenedMesh(Rule):
     in that one folder and differ in name. `sdfcheck convert` writes addresses with `--uri-style relative`.
     """
     default = False
-    affects = {Consumer.MUJOCO: REFUSES}
     looks_at = (Model,)
     scaffold = IN_URDF_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Name, Root, Rule, Severity, replace, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Name, Root, Rule, Severity, replace
 
 
 class BlankAroundName(Rule):
@@ -17,10 +17,6 @@ class BlankAroundName(Rule):
 
     If it comes from an expression of xacro, remove it in the property or argument that the name is made of.
     """
-    affects = {
-        Consumer.GAZEBO: warns("takes the name without it"),
-        Consumer.DRAKE: {"sdf": warns("takes the name without it")},
-    }
     looks_at = (Root,)
     scaffold = IN_MODEL
 

@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -43,7 +42,6 @@ class ClashingName(Rule):
     Links, joints, frames and nested models share one space of names, so `arm` and `arm_joint` live in
     peace. Change the references, too: before 1.7 they meant the first of the two.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

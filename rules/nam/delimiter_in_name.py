@@ -33,7 +33,6 @@ class DelimiterInName(Rule):
     from outside. Files that were converted from old merged models get their nested models back by an
     `<include>`.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Name,
-    Reaction,
-    Root,
-    Rule,
-    Severity,
-    accepts,
-)
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Name, Reaction, Root, Rule, Severity, accepts
 from sdfcheck_rules.nam.taken import is_free
 
 LEFT_OUT = (
@@ -43,7 +30,6 @@ class DuplicateName(Rule):
     Editors with the language server of sdfcheck rename both at once. For two copies of a part use a prefix
     in a macro of xacro, or a nested model for each, which has a scope of its own.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (Root,)
     scaffold = IN_MODEL
 

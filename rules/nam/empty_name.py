@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
 
 
 class EmptyName(Rule):
@@ -18,7 +18,6 @@ class EmptyName(Rule):
     It may be short: `base`, `visual`, `camera`. Names of links become frames of tf2, names of joints those
     of controllers. In xacro, a property that is empty leaves such a name.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.EmptyName,)
     scaffold = IN_MODEL
 

@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, Value
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Root, Rule, Severity, Value
 
 _ENDS = frozenset("\"'<>: \t\r\n")
 """The characters around a name, or between its parts."""
@@ -22,7 +22,6 @@ class MalformedScopedName(Rule):
     Something in the same model has no `::` at all. A model around it cannot be reached; move the reference
     outwards instead.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

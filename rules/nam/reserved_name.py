@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Name, Root, Rule, Severity
+from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Name, Root, Rule, Severity
 
 _ROOT = "__root__"
 _REFUSED = frozenset({"custom_rpy", "placement_frame"})
@@ -29,7 +29,6 @@ class ReservedName(Rule):
     link of a URDF may be called `world`. `__model__` and the like can be referred to in poses, but not
     given to anything.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Root,)
     scaffold = IN_MODEL
 

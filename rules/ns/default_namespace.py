@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    PrefixDeclaration,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    warns,
-)
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity, TextEdit, make_fix
 
 
 class DefaultNamespace(Rule):
@@ -30,7 +18,6 @@ class DefaultNamespace(Rule):
 
     The standard elements need no namespace at all.
     """
-    affects = {Consumer.GAZEBO: {"sdf": warns("warns and reads it anyway")}, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (PrefixDeclaration,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, PrefixDeclaration, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity
 from sdfcheck_rules.ns.soundness import is_malformed, is_reserved
 
 
@@ -19,7 +19,6 @@ class EmptyNamespaceName(Rule):
     Nothing is fetched from it: `https://example.org/robot` serves as well as any. To be rid of a prefix,
     remove the declaration.
     """
-    affects = {Consumer.GAZEBO: warns("older versions refuse the file")}
     looks_at = (PrefixDeclaration,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, PrefixDeclaration, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity
 
 
 class RedeclaredPrefix(Rule):
@@ -18,7 +18,6 @@ class RedeclaredPrefix(Rule):
 
     If both names are needed, give one of them another prefix.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     looks_at = (PrefixDeclaration,)
 
     bad = (

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_COLLISION,
-    IN_JOINT,
-    IN_MODEL,
-    Bad,
-    Consumer,
-    Custom,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_COLLISION, IN_JOINT, IN_MODEL, Bad, Custom, Diagnostic, Good, Rule, Severity
 
 
 class ReplacedElement(Rule):
@@ -31,7 +19,6 @@ class ReplacedElement(Rule):
     Consumers that know your prefix may prefer it; all others read the standard one. Keep both equal, for
     example with a property of xacro.
     """
-    affects = {Consumer.GAZEBO: warns("takes the default"), Consumer.DRAKE: warns("takes the default")}
     looks_at = (Custom,)
     scaffold = IN_COLLISION
 

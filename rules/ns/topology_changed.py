@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Custom, Diagnostic, Good, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Custom, Diagnostic, Good, Rule, Severity
 
 
 class TopologyChanged(Rule):
@@ -22,12 +22,6 @@ class TopologyChanged(Rule):
     To group links, keep them in the model and let the custom element name them:
     `<mine:group links="upper lower"/>`.
     """
-    affects = {
-        Consumer.GAZEBO: warns("does not see the element"),
-        Consumer.DRAKE: warns("does not see the element"),
-        Consumer.URDFDOM: warns("does not see the element"),
-        Consumer.MUJOCO: warns("does not see the element"),
-    }
     looks_at = (Custom,)
     scaffold = IN_MODEL
 

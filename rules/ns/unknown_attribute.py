@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    replace,
-    warns,
-)
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, replace
 
 
 class UnknownAttribute(Rule):
@@ -33,7 +21,6 @@ class UnknownAttribute(Rule):
     `sdfcheck describe link` and the like list the attributes of an element. An attribute of your own is
     `mine:color`, with `xmlns:mine="…"` on the root element; a note belongs in a comment.
     """
-    affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownAttribute,)
     scaffold = IN_MODEL
 

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_LINK,
-    IN_MODEL,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    rename,
-    warns,
-)
+from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, rename
 
 
 class UnknownElement(Rule):
@@ -34,7 +21,6 @@ class UnknownElement(Rule):
     `<mine:paint>`, with `xmlns:mine="…"` on the root element. Settings of a plugin go into its `<plugin>`,
     where names are free.
     """
-    affects = {Consumer.GAZEBO: warns("warns and ignores it"), Consumer.DRAKE: {"sdf": REFUSES}}
     explains = (problems.UnknownElement,)
     scaffold = IN_MODEL
 

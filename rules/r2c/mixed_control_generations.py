@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Plugin, Ros2Control, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Plugin, Ros2Control, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 from sdfcheck_rules.r2c.unknown_control_simulator import CLASSES
 
@@ -38,7 +38,6 @@ class MixedControlGenerations(Rule):
 
     For simulation and mock hardware in one file, let a condition of xacro choose hardware and plugin together.
     """
-    affects = {Consumer.GAZEBO: warns("ignores the block")}
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 

@@ -7,7 +7,6 @@ from sdfcheck import (
     IN_URDF_LINK,
     IN_VISUAL,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Include,
@@ -16,7 +15,6 @@ from sdfcheck import (
     Rule,
     Severity,
     Value,
-    warns,
 )
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
@@ -39,10 +37,6 @@ class AbsolutePath(Rule):
     `GZ_SIM_RESOURCE_PATH` lists, the package has to be installed with its meshes
     (`install(DIRECTORY meshes …)`).
     """
-    affects = {
-        Consumer.GAZEBO: warns("does not find the file on another computer"),
-        Consumer.DRAKE: warns("refuses the file on another computer"),
-    }
     looks_at = (Include, Resource, Plugin)
     scaffold = IN_VISUAL
 

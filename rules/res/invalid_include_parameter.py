@@ -1,7 +1,6 @@
 from collections.abc import Iterator
 
 from sdfcheck import (
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -58,7 +57,6 @@ class InvalidIncludeParameter(Rule):
     example: the names of the link and of its visual, with `::` between them. For `add` a `name` is needed
     as well, that of the new element. `sdfcheck print --expand-includes FILE` shows the result.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.InvalidParameter,)
     scaffold = (
         '<sdf version="1.12" xmlns:experimental="http://sdformat.org/schemas/experimental"><world name="w">'

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    IN_WORLD,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Include,
-    Rule,
-    Severity,
-    listed,
-)
+from sdfcheck import IN_MODEL, IN_WORLD, Bad, Diagnostic, Good, Include, Rule, Severity, listed
 
 NOT_INTO_WORLDS = ("link", "gripper")
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
@@ -36,7 +24,6 @@ class InvalidMergeInclude(Rule):
     A world takes nested models, frames and joints from a merged model; put its links into a model inside of
     it. For a light or actor, an ordinary include is right.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Include,)
     scaffold = IN_WORLD
 

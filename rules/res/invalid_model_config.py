@@ -93,7 +93,6 @@ class InvalidModelConfig(Rule):
     Several `<sdf>` lines offer several versions; the highest that the consumer knows is taken. For a file
     that a build makes, run the build first.
     """
-    affects = {Consumer.GAZEBO: refuses("refuses the model"), Consumer.DRAKE: refuses("refuses the model")}
     looks_at = (ModelConfig, Include)
     scaffold = "<model><name>arm</name>{}</model>"
 

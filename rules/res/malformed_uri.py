@@ -16,7 +16,6 @@ from sdfcheck import (
     UriFault,
     accepts,
     replace,
-    warns,
 )
 from sdfcheck_rules.res.places import needs_no_escape
 
@@ -44,7 +43,6 @@ class MalformedUri(Rule):
     `model://MODEL/meshes/arm.dae`, for an absolute path `file:///…` with three slashes. Paths on Windows
     take slashes as well.
     """
-    affects = {Consumer.GAZEBO: warns("does not find the file"), Consumer.DRAKE: REFUSES}
     looks_at = (Include, Resource)
     scaffold = IN_VISUAL
 

@@ -5,7 +5,6 @@ from sdfcheck import (
     IN_VISUAL,
     REFUSES,
     Bad,
-    Consumer,
     Diagnostic,
     Fix,
     Good,
@@ -49,11 +48,6 @@ class MissingFile(Rule):
     `packages` and `model-paths` in `sdfcheck.toml`, or `--package NAME=PATH`. If a build makes the file or
     git-lfs fetches it, do that first.
     """
-    affects = {
-        Consumer.GAZEBO: warns("shows nothing in its place"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Root,)
     scaffold = IN_VISUAL
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    IN_ROBOT,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Plugin,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
 
 NAMELESS_SINCE = "1.10"
 OLDER = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), warns("older releases refuse the file"))
@@ -34,7 +22,6 @@ class MissingPluginAttribute(Rule):
     `sdfcheck describe plugin` shows what the format asks for. The library is found without `lib` and `.so`
     by new Gazebo; Classic wants the whole `libgazebo_ros_….so`.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, named, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, named
 
 DRIVE = (
     '<link name="w"/><joint name="wheel" type="revolute"><parent>base</parent><child>w</child>'
@@ -24,7 +24,6 @@ class MissingPluginParameter(Rule):
     Names of joints and links are those of the model that the plugin is in:
     `<left_joint>left_wheel_joint</left_joint>`. If the plugin is not used, remove it.
     """
-    affects = {Consumer.GAZEBO: warns("does not run the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Severity
 
 
 class MisspelledPluginFile(Rule):
@@ -18,7 +18,6 @@ class MisspelledPluginFile(Rule):
     For a system of your own that has nearly the name of one of Gazebo's, ignore this. A system that is gone
     mostly became a part of another one.
     """
-    affects = {Consumer.GAZEBO: warns("does not find the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD
 

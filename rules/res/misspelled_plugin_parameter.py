@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, rename, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, rename
 
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 
@@ -20,7 +20,6 @@ class MisspelledPluginParameter(Rule):
     Its page in the documentation of Gazebo, or the header of the system, lists the parameters. For a
     parameter that is your own, ignore this.
     """
-    affects = {Consumer.GAZEBO: warns("takes the default of the parameter")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
 

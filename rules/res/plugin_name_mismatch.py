@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, named, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Severity, named
 
 GZ_SIM = "gz-sim"
 """The generation whose systems are classes."""
@@ -21,7 +21,6 @@ class PluginNameMismatch(Rule):
     For the systems of gz-sim it is `gz::sim::systems::` and the name of the system:
     `gz::sim::systems::Physics` in `gz-sim-physics-system`.
     """
-    affects = {Consumer.GAZEBO: warns("does not load the plugin")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD
 

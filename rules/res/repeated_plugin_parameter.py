@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity
 
 FORCE = (
     '<link name="w"/><joint name="j" type="revolute"><parent>base</parent><child>w</child>'
@@ -23,7 +23,6 @@ class RepeatedPluginParameter(Rule):
 
     If two things are to be controlled, write the plugin twice: one for each joint.
     """
-    affects = {Consumer.GAZEBO: warns("reads the first")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
 

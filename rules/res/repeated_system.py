@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Severity
 
 PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
 IMU = '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>'
@@ -21,7 +21,6 @@ class RepeatedSystem(Rule):
     Often a launch file or an included file brings the other one. Settings that differ have to be put
     together first.
     """
-    affects = {Consumer.GAZEBO: warns("runs it twice")}
     looks_at = (Plugin,)
     scaffold = IN_WORLD
 

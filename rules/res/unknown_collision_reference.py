@@ -18,7 +18,6 @@ from sdfcheck import (
     Value,
     named,
     suggest_in,
-    warns,
     write_instead,
 )
 
@@ -52,7 +51,6 @@ class UnknownCollisionReference(Rule):
     libsdformat makes: mostly `LINK_collision`, and `PARENT_fixed_joint_lump__LINK_collision` for links that
     were merged.
     """
-    affects = {Consumer.GAZEBO: warns("senses nothing")}
     looks_at = (Contact, Gripper, State)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, Value, World, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Severity, Value, World
 
 LEVELS = (
     '<plugin name="gz::sim" filename="dummy"><performer name="one"><ref>{}</ref>'
@@ -24,7 +24,6 @@ class UnknownPerformer(Rule):
     For a model that is included, that is the `<name>` of the include, if it has one.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("does not load levels around it")}
     looks_at = (Plugin,)
     needs = ("<performer",)
     scaffold = IN_WORLD

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_MODEL,
-    IN_ROBOT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Link,
-    Plugin,
-    Rule,
-    Severity,
-    Value,
-    warns,
-)
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Link, Plugin, Rule, Severity, Value
 
 DRIVE = (
     '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
@@ -52,7 +39,6 @@ class UnknownPluginReference(Rule):
     `<gazebo reference="JOINT"><preserveFixedJoint>true</preserveFixedJoint></gazebo>`. In a macro, the
     prefix of the joint belongs here too.
     """
-    affects = {Consumer.GAZEBO: warns("runs the plugin without it, or not at all")}
     looks_at = (Plugin,)
     scaffold = IN_MODEL
 

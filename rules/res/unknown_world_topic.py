@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import SDF, Bad, Consumer, Diagnostic, Good, Plugin, Rule, Severity, Value, World, warns
+from sdfcheck import SDF, Bad, Diagnostic, Good, Plugin, Rule, Severity, Value, World
 
 TOPIC = re.compile(r"/?world/([^/\s{}$]+)/\S*")
 WORLD = (
@@ -25,7 +25,6 @@ class UnknownWorldTopic(Rule):
     A world that is renamed changes all its topics. A launch file that passes the name on, or a topic
     without `/world/NAME`, avoids the coupling.
     """
-    affects = {Consumer.GAZEBO: warns("waits for ever")}
     looks_at = (Plugin,)
     needs = ("world/",)
     scaffold = SDF

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_LINK,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Resource,
-    Root,
-    Rule,
-    Severity,
-    used,
-    warns,
-)
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Resource, Root, Rule, Severity, used
 
 RELATIVE = ""
 MODEL = "model"
@@ -36,7 +24,6 @@ class UnportableMeshUri(Rule):
     in the folders of `GZ_SIM_RESOURCE_PATH`. For Drake and sdfcheck the package has to be known by its
     `package.xml`. MuJoCo wants relative paths: see `sdfcheck rule unopened-mesh`.
     """
-    affects = {Consumer.URDFDOM: warns("hands the address on to programs that do not resolve it")}
     looks_at = (Root,)
     scaffold = IN_URDF_LINK
 

@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_WORLD,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -18,7 +17,9 @@ from sdfcheck import (
 from sdfcheck_rules.res.places import descriptions, looked_for
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
-ELSEWHERE = refuses("refuses the file where it does not find it")
+ELSEWHERE = dict.fromkeys(
+    (Consumer.GAZEBO, Consumer.DRAKE), refuses("refuses the file where it does not find it")
+)
 
 
 class UnresolvedInclude(Rule):
@@ -40,7 +41,6 @@ class UnresolvedInclude(Rule):
     `arm/model.sdf`. For a model on Fuel, `gz fuel download -u URL` fetches it into the cache; Gazebo does
     so by itself, Drake does not.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = IN_WORLD
 
@@ -138,5 +138,5 @@ class UnresolvedInclude(Rule):
             advice = f"{where}; set `{kind}-paths` in the configuration if it is elsewhere"
         else:
             message = f"`{text}` leads to no file"
-        affects = {} if lacked is None else dict.fromkeys(self.affects, ELSEWHERE)
+        affects = {} if lacked is None else ELSEWHERE
         yield self.diagnostic(value, message, severity=severity, help=advice, affects=affects, missing=lacked)

@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_WORLD,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -38,7 +37,6 @@ class UnusableInclude(Rule):
     move each of them to a file of its own. A mesh is named by the `<mesh>` of a visual, not by an include.
     An empty `<name>` is best removed.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Include,)
     scaffold = IN_WORLD
 

@@ -13,7 +13,6 @@ from sdfcheck import (
     Severity,
     refuses,
     replace,
-    warns,
 )
 from sdfcheck_rules.res.places import needs_no_escape, place
 
@@ -21,7 +20,9 @@ MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 
 
-ELSEWHERE = refuses("refuses the file where the case of letters counts")
+ELSEWHERE = dict.fromkeys(
+    (Consumer.GAZEBO, Consumer.DRAKE), refuses("refuses the file where the case of letters counts")
+)
 
 
 class WrongCasePath(Rule):
@@ -39,10 +40,6 @@ class WrongCasePath(Rule):
     Or rename the file; git on Windows and macOS needs `git mv` for a change of case alone. Lower case
     throughout avoids the question.
     """
-    affects = {
-        Consumer.GAZEBO: warns("does not find the file where the case of letters counts"),
-        Consumer.DRAKE: warns("refuses the file where the case of letters counts"),
-    }
     looks_at = (Include, Resource)
     scaffold = IN_VISUAL
 
@@ -73,7 +70,7 @@ class WrongCasePath(Rule):
         meant = found.meant
         severity, affects = self.severity, {}
         if named.kind == "include":
-            severity, affects = Severity.ERROR, dict.fromkeys(self.affects, ELSEWHERE)
+            severity, affects = Severity.ERROR, ELSEWHERE
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
         message = f"`{named.uri}` is spelt `{meant or place(named.document, found.path)}` on disk"
         yield self.diagnostic(value, message, severity=severity, fix=fix, affects=affects)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Sensor, Severity, Value
 
 QUOTES = ("'", '"')
 
@@ -19,7 +19,6 @@ class BlankInTopic(Rule):
 
     Letters, digits, `_` and `/` work in Gazebo and in ROS; for ROS no part begins with a digit.
     """
-    affects = {Consumer.GAZEBO: warns("does not publish on it")}
     looks_at = (Sensor,)
     scaffold = IN_LINK
 

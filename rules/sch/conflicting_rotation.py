@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
 
 
 class ConflictingRotation(Rule):
@@ -18,7 +18,6 @@ class ConflictingRotation(Rule):
     A quaternion has the order `x y z w` and is not an angle. For angles in degrees remove
     `rotation_format`.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     explains = (problems.ConflictingRotation,)
     scaffold = IN_LINK
 

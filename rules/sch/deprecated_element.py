@@ -16,7 +16,6 @@ from sdfcheck import (
     make_fix,
     named,
     problems,
-    warns,
 )
 
 SCAN = (
@@ -41,7 +40,6 @@ class DeprecatedElement(Rule):
 
     Files for Gazebo Classic keep the old names of sensors: ignore this for them in `sdfcheck.toml`.
     """
-    affects = {Consumer.GAZEBO: warns("warns"), Consumer.DRAKE: warns("warns")}
     explains = (problems.DeprecatedElement,)
     scaffold = IN_LINK
 

@@ -1,20 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Element,
-    Good,
-    Root,
-    Rule,
-    Severity,
-    used,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_LINK, Bad, Diagnostic, Element, Good, Root, Rule, Severity, used
 
 OLD = "1.9"
 """The first version that has none of them."""
@@ -38,7 +24,6 @@ class DroppedByUpdate(Rule):
     A start position is set by a controller, or by the pose of the joint; for the pose of an inertial write
     the numbers in the frame of the link, which is what it is relative to.
     """
-    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
     scaffold = JOINT
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Actor, Bad, Consumer, Diagnostic, Element, Good, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Element, Good, Rule, Severity
 
 ACTOR = (
     '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
@@ -23,7 +23,6 @@ class EmptyTrajectory(Rule):
     Each has a `<time>` in seconds and a `<pose>`; at least two make a way.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("leaves the actor where it is")}
     looks_at = (Actor,)
     scaffold = IN_WORLD
 

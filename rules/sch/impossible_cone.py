@@ -1,7 +1,7 @@
 import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Light, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Light, Rule, Severity
 
 LIGHT = (
     '<light name="l" type="{}"><spot><inner_angle>{}</inner_angle><outer_angle>{}</outer_angle>'
@@ -23,7 +23,6 @@ class ImpossibleCone(Rule):
 
     60° is 1.0472 rad. The light fades between the two; `falloff` says how.
     """
-    affects = {Consumer.GAZEBO: warns("shows another light")}
     looks_at = (Light,)
     scaffold = IN_WORLD
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Physics, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Physics, Rule, Severity
 
 MOST = 0.5
 """s: from here on nothing moves as in the world any more."""
@@ -22,7 +22,6 @@ class LongStep(Rule):
     above 0.01 s make contacts and fast joints unstable.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("takes steps in which things pass through each other")}
     looks_at = (Physics,)
     scaffold = IN_WORLD
 

@@ -3,7 +3,6 @@ from collections.abc import Callable, Iterator, Mapping
 from sdfcheck import (
     IN_COLLISION,
     IN_LINK,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -74,7 +73,6 @@ class MalformedValue(Rule):
     `1` or `0`. Expressions of xacro need `sdfcheck expand` or xacro first, those of other templates their
     own program.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MalformedValue,)
     scaffold = IN_LINK
 

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import pi, tan
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Element, Good, Rule, Sensor, Severity, Value, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Element, Good, Rule, Sensor, Severity, Value
 
 MOST = 0.01
 """Of the focal length, or of the size of the image: of 383 cameras in public files the right ones were within 0.001."""
@@ -30,7 +30,6 @@ class MismatchedIntrinsics(Rule):
     these. Numbers of a calibration belong to the size of image that it was made at: scale all four with the
     image.
     """
-    affects = {Consumer.GAZEBO: warns("renders another field of view")}
     looks_at = (Sensor,)
     needs = ("<intrinsics",)
     scaffold = IN_LINK

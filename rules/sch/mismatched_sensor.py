@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Element, Good, Rule, Sensor, Severity, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Element, Good, Rule, Sensor, Severity
 
 NEED_SETTINGS = ("camera", "contact", "lidar", "logical_camera")
 """Settings without which a sensor has nothing sensible to run on."""
@@ -26,7 +26,6 @@ class MismatchedSensor(Rule):
     `imu` `<imu>`; `navsat` `<navsat>`; `force_torque` `<force_torque>`. If the defaults are meant, write
     the element empty: a camera then has 320 × 240 pixels and 60°.
     """
-    affects = {Consumer.GAZEBO: warns("takes defaults")}
     looks_at = (Sensor,)
     scaffold = IN_LINK
 

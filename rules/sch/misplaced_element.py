@@ -1,21 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_LINK,
-    IN_ROBOT,
-    REFUSES,
-    SDF,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    named,
-    problems,
-    rename,
-    warns,
-)
+from sdfcheck import IN_LINK, IN_ROBOT, SDF, Bad, Diagnostic, Good, Rule, Severity, named, problems, rename
 
 
 class MisplacedElement(Rule):
@@ -34,10 +19,6 @@ class MisplacedElement(Rule):
     `sdfcheck describe link/inertial` and the like say what an element holds. For an element of your own,
     use a declared prefix.
     """
-    affects = {
-        Consumer.GAZEBO: warns("ignores the element"),
-        Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores the element")},
-    }
     explains = (problems.MisplacedElement,)
     scaffold = IN_LINK
 

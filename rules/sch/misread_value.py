@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    accepts,
-    problems,
-    warns,
-)
+from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -42,12 +30,6 @@ class MisreadValue(Rule):
     The units are fixed: meters, kilograms, seconds, radians. Convert the number and drop the unit; put a
     comment before or after the element.
     """
-    affects = {
-        Consumer.GAZEBO: warns("reads another value"),
-        Consumer.DRAKE: warns("reads another value"),
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: REFUSES,
-    }
     explains = (problems.MisreadValue, problems.CutText)
     scaffold = INERTIAL
 

@@ -4,7 +4,6 @@ from sdfcheck import (
     IN_LINK,
     IN_MODEL,
     IN_WORLD,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -35,7 +34,6 @@ class MissingAttribute(Rule):
     Names are free but unique among siblings; `sdfcheck describe joint/@type` and the like list the values
     of types. In a macro of xacro look at the property that it is made of.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingAttribute,)
     scaffold = IN_LINK
 

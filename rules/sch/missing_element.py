@@ -6,7 +6,6 @@ from sdfcheck import (
     IN_MODEL,
     IN_VISUAL,
     IN_WORLD,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -42,7 +41,6 @@ class MissingElement(Rule):
 
     `sdfcheck describe box` and the like say what is required and what the default is, with its unit.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.MissingElement,)
     scaffold = IN_COLLISION
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_COLLISION,
-    IN_LINK,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Element,
-    Good,
-    Root,
-    Rule,
-    Severity,
-    warns,
-)
+from sdfcheck import IN_COLLISION, IN_LINK, Bad, Diagnostic, Element, Good, Root, Rule, Severity
 
 
 class MissingShape(Rule):
@@ -30,10 +18,6 @@ class MissingShape(Rule):
     The shape is one of box, capsule, cone, cylinder, ellipsoid, sphere, plane, mesh, heightmap and
     polyline. A collision that is not wanted can be removed.
     """
-    affects = {
-        Consumer.GAZEBO: warns("shows and collides with nothing"),
-        Consumer.DRAKE: warns("leaves it out"),
-    }
     looks_at = (Root,)
     scaffold = IN_COLLISION
 

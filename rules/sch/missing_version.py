@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, TextEdit, make_fix
+from sdfcheck import Bad, Diagnostic, Good, Root, Rule, Severity, TextEdit, make_fix
 
 
 class MissingVersion(Rule):
@@ -19,7 +19,6 @@ class MissingVersion(Rule):
     file serves the most consumers; `sdfcheck lint` reports elements that are newer than the version
     declared.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Consumer, Diagnostic, Good, Light, Number, Rule, Severity, warns
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Light, Number, Rule, Severity
 
 LIGHT = '<light name="l" type="point"><attenuation><range>{}</range><constant>0.5</constant></attenuation></light>'
 
@@ -20,7 +20,6 @@ class NegativeLightRange(Rule):
     20 m suits a room.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("lights nothing")}
     looks_at = (Light,)
     scaffold = IN_WORLD
 

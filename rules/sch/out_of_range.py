@@ -44,15 +44,6 @@ class OutOfRange(Rule):
     Angles are in radians: a camera that sees 90° has a `horizontal_fov` of 1.5708. Sizes are in meters and
     above 0; of two bounds the lower one comes first. `sdfcheck describe ELEMENT` shows range and unit.
     """
-    affects = {
-        Consumer.GAZEBO: warns("takes another value, or refuses the file"),
-        Consumer.DRAKE: {
-            "sdf": warns("takes another value, or refuses the file"),
-            "urdf": warns("takes another value, or aborts"),
-        },
-        Consumer.URDFDOM: warns("takes it as it is, or another value"),
-        Consumer.MUJOCO: warns("takes another value, or refuses the file"),
-    }
     explains = (problems.ValueOutOfRange, problems.ReversedRange)
     scaffold = CAMERA
 

@@ -1,20 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_JOINT,
-    IN_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    named,
-    problems,
-    used,
-    warns,
-)
+from sdfcheck import IN_JOINT, IN_LINK, Bad, Diagnostic, Good, Rule, Severity, named, problems, used
 
 
 class RemovedElement(Rule):
@@ -33,7 +19,6 @@ class RemovedElement(Rule):
     `sdfcheck convert sdf-to-sdf` translates a file of an older version as a whole: declare the version that
     the file was written in first, then convert.
     """
-    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.DRAKE: REFUSES}
     explains = (problems.RemovedElement,)
     scaffold = IN_JOINT.replace("1.12", "1.7")
 

@@ -12,7 +12,6 @@ from sdfcheck import (
     Severity,
     problems,
     repeating,
-    warns,
 )
 
 SHOWN = 3
@@ -35,12 +34,6 @@ class RepeatedElement(Rule):
     The first one is in effect now, so that removing the later ones changes nothing. For a second model in a
     file, use a file each, or a `<world>` around both.
     """
-    affects = {
-        Consumer.GAZEBO: warns("reads the first only"),
-        Consumer.DRAKE: warns("reads the first only"),
-        Consumer.URDFDOM: warns("reads the first only"),
-        Consumer.MUJOCO: REFUSES,
-    }
     explains = (problems.RepeatedElement,)
     scaffold = IN_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Sensor, Severity, Value
 
 MOST = 0.2
 """A resolution of less is a step in radians or degrees."""
@@ -27,7 +27,6 @@ class ResolutionOfScan(Rule):
 
     The number of samples is (max_angle - min_angle) / angle between two beams + 1: 1° over 270° makes 271.
     """
-    affects = {Consumer.GAZEBO: warns("measures few points")}
     looks_at = (Sensor,)
     needs = ("<resolution",)
     scaffold = IN_LINK

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import pi, radians
 
-from sdfcheck import IN_LINK, Bad, Consumer, Diagnostic, Good, Rule, Sensor, Severity, Value, replace, warns
+from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Rule, Sensor, Severity, Value, replace
 
 TURN = 2 * pi * 1.01
 """A turn, with room for how it is rounded."""
@@ -29,7 +29,6 @@ class ScanInDegrees(Rule):
     less of the turn if that matters.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("scans over several turns")}
     looks_at = (Sensor,)
     scaffold = IN_LINK
 

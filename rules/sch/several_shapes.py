@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_COLLISION, Bad, Diagnostic, Good, Rule, Severity, problems
 
 POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><point>1 1</point></polyline>"
 
@@ -20,7 +20,6 @@ class SeveralShapes(Rule):
 
     A link may have any number of both; names differ, and each has its own `<pose>`.
     """
-    affects = dict.fromkeys(Consumer, warns("drops all but one"))
     explains = (problems.SeveralShapes,)
     scaffold = IN_COLLISION
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.sch.newer import report
 
 
@@ -21,10 +21,6 @@ class TooNewAttribute(Rule):
     raises the version of the file; for an older one, write poses relative to the default, which
     `sdfcheck graph poses FILE` helps with.
     """
-    affects = {
-        Consumer.GAZEBO: warns("ignores it in older releases"),
-        Consumer.DRAKE: warns("ignores it in older releases"),
-    }
     explains = (problems.TooNewAttribute,)
 
     bad = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import IN_COLLISION, Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.sch.newer import report
 
 
@@ -21,10 +21,6 @@ class TooNewElement(Rule):
     changed in between. If the file must run in an older simulator, use what was there: a cylinder for a
     capsule, for example.
     """
-    affects = {
-        Consumer.GAZEBO: warns("ignores it in older releases"),
-        Consumer.DRAKE: warns("ignores it in older releases"),
-    }
     explains = (problems.TooNewElement,)
 
     bad = (

@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_WORLD,
-    Actor,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    Value,
-    named,
-    warns,
-    write_instead,
-)
+from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Rule, Severity, Value, named, write_instead
 
 ACTOR = (
     '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
@@ -39,7 +26,6 @@ class UnknownAnimation(Rule):
     movement.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("plays no animation")}
     looks_at = (Actor,)
     scaffold = IN_WORLD
 

@@ -4,7 +4,6 @@ from sdfcheck import (
     IN_LINK,
     IN_MODEL,
     IN_WORLD,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -45,7 +44,6 @@ class UnknownChoice(Rule):
     `sdfcheck describe joint/@type` and the like list them. Case counts. For an engine or a lens of your
     own, ignore this.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnknownChoice,)
     scaffold = IN_LINK
 

@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, replace
+from sdfcheck import Bad, Diagnostic, Good, Root, Rule, Severity, replace
 
 _MISSPELLED = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
 """A version of SDFormat, perhaps with spaces around it, a leading zero, a third number or a comma."""
@@ -23,7 +23,6 @@ class UnknownVersion(Rule):
     It is the version of the format, not that of libsdformat or Gazebo: libsdformat 14 reads 1.11,
     libsdformat 12 reads 1.9.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: {"sdf": REFUSES}, Consumer.URDFDOM: REFUSES}
     looks_at = (Root,)
     selects = ("sdf:sdf", "urdf:robot")
     scaffold = '<sdf version="{}"><model name="m"><link name="base"/></model></sdf>'

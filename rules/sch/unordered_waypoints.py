@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 
-from sdfcheck import IN_WORLD, Actor, Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, warns
+from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Rule, Severity, Value
 
 ACTOR = (
     '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
@@ -27,7 +27,6 @@ class UnorderedWaypoints(Rule):
     with a later time.
     """
     preview = True
-    affects = {Consumer.GAZEBO: warns("takes another way")}
     looks_at = (Actor,)
     scaffold = IN_WORLD
 

@@ -4,16 +4,15 @@ from sdfcheck import (
     IN_COLLISION,
     IN_LINK,
     IN_VISUAL,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
     Good,
     Rule,
     Severity,
+    ignores,
     problems,
     unreadable,
-    warns,
 )
 
 
@@ -33,7 +32,6 @@ class WrongComponentCount(Rule):
     A pose has six: `x y z roll pitch yaw`; a vector three, a color three or four, a time two (seconds and
     nanoseconds). A pose that is only moved ends in `0 0 0`.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.WrongComponentCount,)
     scaffold = IN_LINK
 
@@ -67,5 +65,5 @@ class WrongComponentCount(Rule):
             yield self.diagnostic(problem.span, message, affects=unreadable(problem.value))
             return
         message += ", so the rest is ignored"
-        affects = dict.fromkeys(Consumer, warns("ignores the rest"))
+        affects = dict.fromkeys(Consumer, ignores("the rest"))
         yield self.diagnostic(problem.span, message, severity=Severity.WARNING, affects=affects)

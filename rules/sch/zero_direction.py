@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_COLLISION,
-    IN_WORLD,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Root,
-    Rule,
-    Severity,
-    Value,
-    warns,
-)
+from sdfcheck import IN_COLLISION, IN_WORLD, Bad, Diagnostic, Good, Root, Rule, Severity, Value
 
 PLANE = "<geometry><plane><normal>{}</normal><size>1 1</size></plane></geometry>"
 
@@ -30,7 +18,6 @@ class ZeroDirection(Rule):
 
     Its length does not matter, as long as it is not 0.
     """
-    affects = {Consumer.GAZEBO: warns("takes another direction, or none")}
     looks_at = (Root,)
     needs = ("<normal", "<direction")
     scaffold = IN_COLLISION

@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     IN_VISUAL,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -14,7 +13,6 @@ from sdfcheck import (
     Vector,
     Visual,
     accepts,
-    warns,
 )
 
 MESH = "<geometry><mesh><uri>https://example.org/m.dae</uri><scale>{}</scale></mesh></geometry>"
@@ -34,12 +32,6 @@ class ZeroMeshScale(Rule):
 
     A mesh in millimeters has `0.001 0.001 0.001`. For a flat thing, use a thin box or a plane.
     """
-    affects = {
-        Consumer.GAZEBO: warns("flattens the mesh"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Geometry,)
     needs = ("<mesh",)
     scaffold = IN_VISUAL

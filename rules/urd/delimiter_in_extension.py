@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_ROBOT,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Element,
-    GazeboBlock,
-    Good,
-    Rule,
-    Severity,
-    Value,
-    refuses,
-)
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Element, GazeboBlock, Good, Rule, Severity, Value
 
 
 class DelimiterInExtension(Rule):
@@ -30,7 +18,6 @@ class DelimiterInExtension(Rule):
 
     Topics that contain the name change with it. A scope is not needed: names in a robot are unique.
     """
-    affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     looks_at = (GazeboBlock,)
     selects = ("urdf:robot/gazebo",)
     scaffold = IN_ROBOT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts, warns
+from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts
 
 
 class DisconnectedLink(Rule):
@@ -18,12 +18,6 @@ class DisconnectedLink(Rule):
     If another joint names a link that does not exist, the name is likely misspelled on one of the two
     sides. A root that is left over from an edit can be removed.
     """
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: warns("makes a free body of it"),
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: warns("fixes it to the world"),
-    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = IN_ROBOT

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, Value, problems, warns
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, Value, problems
 
 ROBOT = '<robot name="r"{}><link name="a"><visual>{{}}</visual></link></robot>'
 CAPSULE = '<geometry><capsule radius="1" length="2"/></geometry>'
@@ -23,7 +23,6 @@ class FeatureAboveVersion(Rule):
     For programs with an older urdfdom, do without: a cylinder and two spheres for a capsule, `rpy` for a
     quaternion.
     """
-    affects = {Consumer.GAZEBO: warns("ignores it"), Consumer.URDFDOM: warns("ignores it")}
     explains = (problems.FeatureAboveVersion,)
     scaffold = ROBOT.format("")
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Consumer, Diagnostic, Element, Good, Link, Rule, Severity, warns
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Element, Good, Link, Rule, Severity
 
 PARTS = ("visual", "collision")
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -28,7 +28,6 @@ class FilledWorld(Rule):
     <joint name="table_joint" type="fixed"><parent link="world"/><child link="table"/></joint>
     ```
     """
-    affects = {Consumer.GAZEBO: warns("leaves them out")}
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
     scaffold = IN_ROBOT

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_LINK,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Inertial,
-    Rule,
-    Severity,
-    named,
-    warns,
-)
+from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, named, warns
 
 PARTS = ("mass", "inertia")
 
@@ -34,12 +22,6 @@ class IncompleteInertia(Rule):
     in kg·m². `sdfcheck rule missing-inertial` has the ways to get them. A link that is a mere frame has no
     `<inertial>` at all.
     """
-    affects = {
-        Consumer.GAZEBO: warns("drops the rest of the link"),
-        Consumer.DRAKE: warns("takes zero"),
-        Consumer.URDFDOM: warns("drops the rest of the link"),
-        Consumer.MUJOCO: REFUSES,
-    }
     looks_at = (Inertial,)
     selects = ("urdf:link/inertial",)
     scaffold = IN_URDF_LINK

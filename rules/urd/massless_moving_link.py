@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Link,
-    Model,
-    Reaction,
-    Rule,
-    Severity,
-    accepts,
-    refuses,
-    warns,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Reaction, Rule, Severity, accepts, refuses
 from sdfcheck_rules.urd.without_mass import in_drake
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
@@ -44,10 +31,6 @@ class MasslessMovingLink(Rule):
     one motion in two (a universal joint, a virtual axis) needs a small mass too: about a hundredth of the
     next link, with moments to match. A link that does not move after all is tied by a fixed joint.
     """
-    affects = {
-        Consumer.GAZEBO: warns("drops the link and those below it"),
-        Consumer.DRAKE: warns("cannot simulate it"),
-    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = ARM

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Rule, Severity
 
 NOTHING = '<inertial><mass value="0"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>'
 MASS = '<inertial><mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -28,7 +28,6 @@ class MergedWithoutMass(Rule):
     mass, weigh it or take its volume × density; `sdfcheck rule missing-inertial` says how to get the
     moments.
     """
-    affects = {Consumer.GAZEBO: REFUSES}
     looks_at = (Link,)
     selects = ("urdf:robot/link",)
     needs = ("<mass",)

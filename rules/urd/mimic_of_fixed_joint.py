@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Mimic, Rule, Severity, refuses, warns
+from sdfcheck import Bad, Diagnostic, Good, Mimic, Rule, Severity
 
 ROBOT = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
@@ -26,12 +26,6 @@ class MimicOfFixedJoint(Rule):
     If the leader was made fixed for a simpler robot, make the follower fixed as well. Its position is then
     in its `<origin>`.
     """
-    affects = {
-        Consumer.GAZEBO: refuses("refuses the robot"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("takes it as it is"),
-        Consumer.MUJOCO: warns("ignores it"),
-    }
     looks_at = (Mimic,)
     selects = ("urdf:joint/mimic",)
 

@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_URDF_LINK,
-    REFUSES,
     Bad,
     Collision,
     Consumer,
@@ -15,10 +14,8 @@ from sdfcheck import (
     Severity,
     Visual,
     accepts,
-    refuses,
     rename,
     unreadable,
-    warns,
 )
 
 SHAPES = ("box", "capsule", "cylinder", "mesh", "sphere")
@@ -40,12 +37,6 @@ class MissingGeometry(Rule):
     Capsules are for URDF 1.1. A visual or collision that is not wanted is removed as a whole. In xacro,
     look at the condition that left the shape out.
     """
-    affects = {
-        Consumer.GAZEBO: warns("drops the rest of the link"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("drops the rest of the link"),
-        Consumer.MUJOCO: refuses("refuses it in a collision"),
-    }
     looks_at = (Visual, Collision)
     selects = ("urdf:link/visual", "urdf:link/collision")
     scaffold = IN_URDF_LINK

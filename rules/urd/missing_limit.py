@@ -3,7 +3,6 @@ from typing import Any
 
 from sdfcheck import (
     IN_URDF_JOINT,
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -38,12 +37,6 @@ class MissingLimit(Rule):
     them. A joint that turns without end is of type continuous, and needs no `lower` and `upper`. Where
     nothing is known, an effort of 100 and a velocity of 10 do no harm in most simulators.
     """
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: warns("takes no limits"),
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: warns("takes no limits"),
-    }
     looks_at = (Joint, Limit)
     selects = ("urdf:robot/joint", "urdf:joint/limit")
     scaffold = IN_URDF_JOINT

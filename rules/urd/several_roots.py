@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
+from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity
 
 TREES = (
     '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>{}'
@@ -25,12 +25,6 @@ class SeveralRoots(Rule):
     `<joint name="d_joint" type="fixed"><parent link="base"/><child link="d"/></joint>`.
     `sdfcheck graph joints FILE` shows the trees. Two robots belong in two files, or below one root link.
     """
-    affects = {
-        Consumer.GAZEBO: REFUSES,
-        Consumer.DRAKE: warns("makes free bodies of them"),
-        Consumer.URDFDOM: REFUSES,
-        Consumer.MUJOCO: warns("fixes all of them to the world"),
-    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = TREES

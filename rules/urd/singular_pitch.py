@@ -1,7 +1,7 @@
 import math
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Placement, Rule, Severity, warns
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Placement, Rule, Severity
 
 VISUAL = '<visual><origin rpy="{}"/><geometry><sphere radius="1"/></geometry></visual>'
 
@@ -27,7 +27,6 @@ class SingularPitch(Rule):
     In xacro `${pi/2}` has all the digits. If the small difference is meant, put it into the roll or yaw of
     a frame above, or into the mesh.
     """
-    affects = {Consumer.GAZEBO: warns("turns the shape to 90°")}
     looks_at = (Placement,)
     selects = ("urdf:visual/origin", "urdf:collision/origin")
     scaffold = IN_URDF_LINK

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, accepts, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, accepts
 
 OTHERWISE = (
     '<robot name="r"><link name="a"/><link name="b"/>'
@@ -26,7 +26,6 @@ class UnconvertedJoint(Rule):
     The two links between them need a small mass and no shape. A robot whose root has no joint above it is
     free in Gazebo, which is what a floating joint says.
     """
-    affects = {Consumer.GAZEBO: refuses("refuses the robot")}
     looks_at = (Joint,)
     selects = ("urdf:robot/joint",)
     scaffold = (

@@ -1,7 +1,6 @@
 from collections.abc import Iterator
 
 from sdfcheck import (
-    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -36,11 +35,6 @@ class UndefinedMaterial(Rule):
     `<material name="red"><color rgba="0.8 0 0 1"/></material>`: red, green, blue and opacity from 0 to 1.
     Visuals then name it alone, `<material name="red"/>`. Two looks need two names.
     """
-    affects = {
-        Consumer.GAZEBO: warns("leaves out the material"),
-        Consumer.DRAKE: REFUSES,
-        Consumer.URDFDOM: warns("leaves out the material"),
-    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = LINK

@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_LINK,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    problems,
-    unexpanded,
-    warns,
-)
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems, unexpanded
 
 
 class UnexpandedExpression(Rule):
@@ -30,7 +19,6 @@ class UnexpandedExpression(Rule):
     `sdfcheck expand robot.urdf.xacro -o robot.urdf` writes the plain file. A generated file with such rests
     was expanded with a macro or an argument that did not reach this place.
     """
-    affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnexpandedExpression,)
     scaffold = IN_URDF_LINK
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Consumer, Diagnostic, Good, Ros2Control, Rule, Severity, warns
+from sdfcheck import IN_URDF_JOINT, Bad, Diagnostic, Good, Ros2Control, Rule, Severity
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 CONTROL = (
@@ -26,7 +26,6 @@ class UnknownControlJoint(Rule):
     Signals of the hardware that are not joints, such as relays, belong in a `<gpio>`. Where the joint was
     removed, remove it from the block.
     """
-    affects = {Consumer.GAZEBO: warns("does not drive the joint")}
     looks_at = (Ros2Control,)
     selects = ("urdf:robot/ros2_control",)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')

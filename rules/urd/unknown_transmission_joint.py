@@ -1,17 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    IN_URDF_JOINT,
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    Transmission,
-    warns,
-)
+from sdfcheck import IN_URDF_JOINT, Bad, Diagnostic, Good, Rule, Severity, Transmission
 
 LIMIT = '<limit lower="0" upper="1" effort="1" velocity="1"/></joint>'
 TRANSMISSION = (
@@ -35,7 +24,6 @@ class UnknownTransmissionJoint(Rule):
 
     Where the joint was removed, remove the transmission.
     """
-    affects = {Consumer.GAZEBO: warns("does not drive the joint"), Consumer.DRAKE: REFUSES}
     looks_at = (Transmission,)
     selects = ("urdf:robot/transmission",)
     scaffold = IN_URDF_JOINT.replace("{}</joint>", f"{LIMIT}{{}}").replace('name="j"', 'name="shoulder"')

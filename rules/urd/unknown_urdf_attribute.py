@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     Bad,
-    Consumer,
     Diagnostic,
     Fix,
     Good,
@@ -14,7 +13,6 @@ from sdfcheck import (
     make_fix,
     problems,
     used,
-    warns,
 )
 
 
@@ -33,7 +31,6 @@ class UnknownUrdfAttribute(Rule):
 
     `sdfcheck describe urdf:joint/limit` and the like list the attributes. Notes belong in comments.
     """
-    affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfAttribute,)
     scaffold = IN_URDF_LINK
 

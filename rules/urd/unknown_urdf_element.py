@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Rule,
@@ -13,7 +12,6 @@ from sdfcheck import (
     rename,
     unreadable,
     used,
-    warns,
 )
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
@@ -39,7 +37,6 @@ class UnknownUrdfElement(Rule):
     of the way with a prefix that is declared at the root, and settings for Gazebo belong in a `<gazebo>`
     block.
     """
-    affects = dict.fromkeys(Consumer, warns("ignores it"))
     explains = (problems.UnknownUrdfElement,)
     scaffold = IN_URDF_LINK
 

@@ -3,7 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_ROBOT,
     Bad,
-    Consumer,
     Diagnostic,
     Document,
     Element,
@@ -14,7 +13,6 @@ from sdfcheck import (
     Value,
     make_fix,
     used,
-    warns,
 )
 from sdfcheck_rules.urd.missing_hardware_interface import JOINT
 
@@ -39,7 +37,6 @@ class UnprefixedHardwareInterface(Rule):
     name = "unprefixed-hardware-interface"
     severity = Severity.WARNING
     remedy = "Write `hardware_interface/` before the name of the interface."
-    affects = {Consumer.GAZEBO: warns("warns that the name is deprecated")}
     looks_at = (Element,)
     selects = ("urdf:transmission",)
     needs = ("<hardwareInterface",)

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts, refuses, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
 from sdfcheck_rules.urd.without_mass import in_drake
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -26,10 +26,6 @@ class VanishingRoot(Rule):
     robot in place. `sdfcheck rule missing-inertial` says how to get the numbers. To look at the robot in
     RViz, no mass is needed.
     """
-    affects = {
-        Consumer.GAZEBO: refuses("refuses the file, for nothing is left"),
-        Consumer.DRAKE: accepts("asks for mass below joints that move"),
-    }
     looks_at = (Model,)
     selects = ("urdf:robot",)
     scaffold = '<robot name="r">{}</robot>'

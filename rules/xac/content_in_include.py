@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -19,7 +19,6 @@ class ContentInInclude(Rule):
     The included file reads the arguments and properties of the file that includes it. Parameters for one
     use each belong in a macro that the file defines.
     """
-    affects = dict.fromkeys(Consumer, warns("gets a robot description without it"))
     explains = (problems.IgnoredIncludeContent,)
     scaffold = IN_XACRO
 

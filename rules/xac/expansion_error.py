@@ -1,6 +1,6 @@
 from collections.abc import Iterator, Mapping
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -53,7 +53,6 @@ class ExpansionError(Rule):
     themselves, `xacro:if` has to end them.
     """
     explains = (problems.ExpansionFailure,)
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     scaffold = IN_XACRO
 
     bad = (

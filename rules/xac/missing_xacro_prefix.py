@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    problems,
-    used,
-    warns,
-)
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, TextEdit, make_fix, problems, used
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import SHOWN
 
@@ -33,10 +20,6 @@ class MissingXacroPrefix(Rule):
 
     It belongs in the end tag as well. Files of the time before ROS Noetic lack it often.
     """
-    affects = {
-        **dict.fromkeys(Consumer, warns("ignores it")),
-        Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")},
-    }
     explains = (problems.MissingXacroPrefix,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems, refuses
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 MESSAGES = {
@@ -27,7 +27,6 @@ class OddMacroParameter(Rule):
     `params="prefix side:=left *origin"` has one that is needed, one with a default, and a block. A default
     with spaces is in quotes: `name:='a b'`.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.OddParameter,)
     scaffold = IN_XACRO
 

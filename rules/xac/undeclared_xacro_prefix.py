@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    TextEdit,
-    make_fix,
-    problems,
-    refuses,
-    used,
-)
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, TextEdit, make_fix, problems, used
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -31,7 +19,6 @@ class UndeclaredXacroPrefix(Rule):
 
     Each file needs it, included ones as well.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndeclaredXacroPrefix,)
 
     bad = (

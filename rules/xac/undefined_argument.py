@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, replace
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -15,7 +15,6 @@ class UndefinedArgument(Rule):
     name = "undefined-argument"
     severity = Severity.ERROR
     remedy = 'Declare it with `<xacro:arg name="…" default="…"/>`, or write the name that is declared.'
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedArgument,)
     scaffold = IN_XACRO
 

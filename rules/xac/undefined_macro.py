@@ -1,10 +1,10 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, ignores, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
-_IGNORES = warns("ignores the element, unless xacro comes before it")
+_IGNORES = ignores("the element, unless xacro comes before it")
 
 
 class UndefinedMacro(Rule):
@@ -24,7 +24,6 @@ class UndefinedMacro(Rule):
     The include has to come before the call. `<xacro:include filename="$(find PACKAGE)/urdf/wheel.xacro"/>`
     is the common form.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedMacro,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
@@ -35,7 +35,6 @@ class UndefinedProperty(Rule):
     `params="size:=0.2"`. A property that a macro defines ends with it, unless it has `scope="parent"` or
     `scope="global"`. An argument is `$(arg size)`, not `${size}`.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.UndefinedProperty, problems.UndefinedBlock)
     scaffold = IN_XACRO
 

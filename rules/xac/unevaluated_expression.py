@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -18,7 +18,6 @@ class UnevaluatedExpression(Rule):
 
     For braces that are meant, ignore this; a dollar sign before a brace that is meant is written `$${`.
     """
-    affects = dict.fromkeys(Consumer, warns("reads what is left"))
     explains = (problems.UnevaluatedExpression,)
     scaffold = IN_XACRO
 

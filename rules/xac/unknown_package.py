@@ -2,7 +2,6 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     Bad,
-    Consumer,
     Diagnostic,
     Good,
     Missing,
@@ -11,7 +10,6 @@ from sdfcheck import (
     Rule,
     Severity,
     problems,
-    warns,
     write_instead,
 )
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
@@ -35,7 +33,6 @@ class UnknownPackage(Rule):
     `package-paths` names a folder of many packages, such as `src` of a workspace. A sourced workspace is
     found through `AMENT_PREFIX_PATH` without any setting.
     """
-    affects = dict.fromkeys(Consumer, warns("gets no robot description where the package is not found"))
     explains = (problems.UnknownPackage,)
     scaffold = IN_XACRO
 

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Origin,
-    Rule,
-    Severity,
-    named,
-    problems,
-    refuses,
-    write_instead,
-)
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, named, problems, write_instead
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -35,7 +23,6 @@ class WrongMacroArguments(Rule):
     Those with `:=` in the definition have a default and can be left out. A parameter `*origin` takes a
     child element, `<origin …/>`, in the call, several of them in their order.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongMacroArguments,)
     scaffold = IN_XACRO.replace("{}", _MACRO + "{}")
 

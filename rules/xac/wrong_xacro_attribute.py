@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace, warns
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -24,7 +24,6 @@ class WrongXacroAttribute(Rule):
     `value`; `xacro:include` `filename`, `ns` and `optional`; `xacro:arg` `name` and `default`;
     `xacro:macro` `name` and `params`. Notes belong in comments.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.WrongXacroAttribute,)
     scaffold = IN_XACRO
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, refuses
+from sdfcheck import Bad, Diagnostic, Good, Origin, Rule, Severity, problems
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -18,7 +18,6 @@ class XacroIncludeCycle(Rule):
 
     The notes show the way around. An include that is conditional by `xacro:if` may end.
     """
-    affects = dict.fromkeys(Consumer, refuses("gets no robot description"))
     explains = (problems.XacroIncludeCycle,)
     scaffold = IN_XACRO
 

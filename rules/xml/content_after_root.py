@@ -1,8 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, ignores, problems
 
-IGNORED = dict.fromkeys(Consumer, warns("ignores it"))
+IGNORED = dict.fromkeys(Consumer, ignores("it"))
 
 
 class ContentAfterRoot(Rule):
@@ -21,7 +21,6 @@ class ContentAfterRoot(Rule):
     A second robot or world belongs in a file of its own. An end tag too many mostly means that a start tag
     is missing further up.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.ContentAfterRoot,)
 
     bad = (

@@ -1,18 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Good,
-    Rule,
-    Severity,
-    TextEdit,
-    accepts,
-    make_fix,
-    problems,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, TextEdit, accepts, make_fix, problems
 from sdfcheck_rules.xml.strict import unless_xacro
 
 
@@ -33,7 +21,6 @@ class ContentBeforeDeclaration(Rule):
     `<?xml version="1.0"?>` has to be the first bytes of the file. A license as a comment goes on the second
     line. A declaration is optional for UTF-8.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.LateDeclaration,)
 
     bad = (

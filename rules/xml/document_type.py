@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, named, problems, refuses
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, named, problems
 
 
 class DocumentType(Rule):
@@ -19,10 +19,6 @@ class DocumentType(Rule):
 
     Values that are used often are properties of xacro, or an `<include>` in SDFormat.
     """
-    affects = {
-        Consumer.GAZEBO: {"urdf": refuses("refuses the file with urdfdom before version 4")},
-        Consumer.URDFDOM: refuses("refuses the file before version 4"),
-    }
     explains = (problems.DocumentType,)
 
     bad = (

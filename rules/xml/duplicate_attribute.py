@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 
 
 class DuplicateAttribute(Rule):
@@ -17,7 +17,6 @@ class DuplicateAttribute(Rule):
 
     Keep the value that is meant; if both are, one of them has the wrong name.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.RepeatedAttribute,)
 
     bad = (

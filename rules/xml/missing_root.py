@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Root, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Root, Rule, Severity
 
 OLD = "gazebo"
 """The root of SDFormat before it was called so."""
@@ -21,7 +21,6 @@ class MissingRoot(Rule):
 
     For the version take that of the program that wrote the file; 1.9 suits Gazebo Fortress and later.
     """
-    affects = {Consumer.GAZEBO: REFUSES, Consumer.DRAKE: REFUSES}
     looks_at = (Root,)
 
     bad = (

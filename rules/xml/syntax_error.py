@@ -1,19 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import (
-    REFUSES,
-    Bad,
-    Consumer,
-    Diagnostic,
-    Fix,
-    Good,
-    Rule,
-    Severity,
-    Span,
-    accepts,
-    problems,
-    replace,
-)
+from sdfcheck import Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, Span, accepts, problems, replace
 
 Kind = problems.SyntaxKind
 
@@ -136,7 +123,6 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     that the label marks. A merge conflict is solved by keeping one of the two sides and removing the lines
     of `<<<<<<<`, `=======` and `>>>>>>>`. Editors that know XML close tags by themselves.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.SyntaxDefect,)
 
     bad = (

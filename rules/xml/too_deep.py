@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, warns
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems
 
 
 class TooDeep(Rule):
@@ -18,7 +18,6 @@ class TooDeep(Rule):
     Look for a tag without end that repeats, such as a generator in a loop or a macro that wraps its own
     result. Nested models can be included from files instead.
     """
-    affects = dict.fromkeys(Consumer, warns("some versions refuse the file"))
     explains = (problems.TooDeep,)
 
     bad = (

@@ -36,7 +36,6 @@ class UndefinedEntity(Rule):
     In attributes `<` is `&lt;`, and a double quote in double quotes `&quot;`. A space that does not break
     is `&#160;`.
     """
-    affects = dict.fromkeys(Consumer, warns("keeps it as it is written"))
     explains = (problems.UnknownEntity,)
 
     bad = (

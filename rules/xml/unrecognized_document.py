@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, write_instead
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, write_instead
 
 
 class UnrecognizedDocument(Rule):
@@ -18,7 +18,6 @@ class UnrecognizedDocument(Rule):
     The root of SDFormat is `<sdf version="…">`, of URDF `<robot name="…">`. A file of another format with
     the same ending is best excluded by its folder.
     """
-    affects = dict.fromkeys(Consumer, REFUSES)
     explains = (problems.UnrecognizedDocument,)
 
     bad = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from textwrap import wrap
 
@@ -10,12 +10,14 @@ import click
 
 from sdfcheck.cli.parts import options
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.options import formatted, sdf_version, written
+from sdfcheck.cli.parts.options import configured, formatted, sdf_version, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
+from sdfcheck.formats.vendor import BUILT_IN, prefix_of
 from sdfcheck.formats.version import Version
+from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.source.wrong_usage import WrongUsage
 
 VERSION = 1
@@ -30,7 +32,10 @@ _MANY = 3
 @sdf_version("The version of SDFormat to describe", name="version")
 @formatted("Text to read, or JSON.", "text", "json")
 @written()
-def describe_command(element: str, version: Version, form: str, output_file: Path | None) -> None:
+@configured
+def describe_command(
+    element: str, version: Version, form: str, output_file: Path | None, configuration: Configuration
+) -> None:
     """Say what the format allows at a place.
 
     \b
@@ -38,9 +43,11 @@ def describe_command(element: str, version: Version, form: str, output_file: Pat
     sdfcheck describe pose/@degrees              an attribute
     sdfcheck describe urdf:joint/limit           an element of URDF
     sdfcheck describe drake:proximity_properties an element of Drake's own
+
+    Elements of other vendors are known by the tables of packs, as the configuration names them.
     """
     try:
-        found = describe(element, version)
+        found = describe(element, version, _tables(element, configuration))
     except UnknownPlace as error:
         raise WrongUsage(str(error)) from None
     if form == "json":
@@ -52,6 +59,17 @@ def describe_command(element: str, version: Version, form: str, output_file: Pat
         deliver_lines(lines_of(_overview(element, found)), output_file)
     else:
         deliver_lines(lines_of("\n".join(text(one) for one in found)), output_file)
+
+
+def _tables(element: str, configuration: Configuration) -> Collection[Path]:
+    """The tables of packs, where the question is about an element of a vendor that is not built in."""
+    prefixes = {step.partition(":")[0].removeprefix("@") for step in element.split("/") if ":" in step}
+    if prefixes <= {"sdf", "urdf", *map(prefix_of, BUILT_IN)}:
+        return ()
+    from sdfcheck.lint.rulebook.rulebook import RuleBook
+    from sdfcheck.lint.select import SILENT
+
+    return RuleBook(SILENT, None).index(configuration.settings_in(Path.cwd())).tables.values()
 
 
 def record(description: Description) -> dict[str, object]:

@@ -1,9 +1,10 @@
 """Reactions of consumers of robot descriptions to a defect.
 
-A rule says it for each consumer: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
-warns("drops the link")}``. Where it depends on the dialect, it says it for each:
-``Consumer.DRAKE: {"sdf": REFUSES, "urdf": warns("ignores it")}``. A consumer that a rule does
-not name, or not for a dialect, takes the file as it is.
+Those to the defects of the built-in rules are in a table (:mod:`sdfcheck.consumers.measured`). A
+pack's rule says them itself: ``affects = {Consumer.GAZEBO: REFUSES, Consumer.URDFDOM:
+drops("the link")}``, and where it depends on the dialect, for each: ``Consumer.DRAKE: {"sdf":
+REFUSES, "urdf": ignores("it")}``. A consumer that is not named, or not for a dialect, takes the
+file as it is.
 """
 
 from __future__ import annotations
@@ -71,8 +72,8 @@ READS: Mapping[Consumer, tuple[str, ...]] = {
 }
 """Consumer → the dialects that it reads."""
 
-MEASURED = frozenset(("ros", "pybullet", "pinocchio", "isaac"))
-"""The names of the consumers whose reactions are in a table (:mod:`sdfcheck.consumers.measured`), not in rules."""
+ON_REQUEST = frozenset(("ros", "pybullet", "pinocchio", "isaac"))
+"""The names of the consumers whose reactions are looked up only where they are a target."""
 
 
 class Verdict(Enum):
@@ -89,20 +90,40 @@ class Verdict(Enum):
     """It does not know the format."""
 
 
+class Manner(Enum):
+    """The ways in which a consumer reads a file with a defect."""
+
+    ACCEPT = "accept"
+    UNMEASURED = "not measured"
+    WARN = "warn"
+    """It reads the file otherwise than it was meant."""
+    IGNORE = "ignore"
+    """It reads the file as if something were not written."""
+    DROP = "drop"
+    """It reads the file without a part of the robot that is written there."""
+    REJECT = "reject"
+
+    @property
+    def verdict(self) -> Verdict:
+        return Verdict.WARN if self in (Manner.IGNORE, Manner.DROP) else Verdict(self.value)
+
+
 class Reaction(NamedTuple):
-    """The reaction of a consumer to a defect, and its verdict on a file with the defect."""
+    """The reaction of a consumer to a defect."""
 
-    verdict: Verdict
+    manner: Manner
+    """Conversions judge their results by it."""
     words: str
-    """The end of the sentence "Drake …", which begins with a verb: `refuses the file`, `ignores it`.
+    """The end of the sentence "Drake …", which begins with a verb: `refuses the file`, `takes 1`."""
 
-    `drops …` is said of a part of the robot that is written and does not come about, `ignores …` of what is
-    written in vain: conversions judge their results by the two.
-    """
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict on a file with the defect."""
+        return self.manner.verdict
 
     @property
     def is_harmless(self) -> bool:
-        return self.verdict is Verdict.ACCEPT
+        return self.manner is Manner.ACCEPT
 
     @property
     def severity(self) -> int:
@@ -111,47 +132,50 @@ class Reaction(NamedTuple):
 
     @property
     def is_refusal(self) -> bool:
-        return self.verdict is Verdict.REJECT
+        return self.manner is Manner.REJECT
 
     @property
     def is_loss(self) -> bool:
-        """Does it read the file without a part of the robot that is written there?"""
-        return self.verdict is Verdict.WARN and "drops" in self._verbs
+        return self.manner is Manner.DROP
 
     @property
     def is_disregard(self) -> bool:
-        """Does it read the file as if something were not written?"""
-        return self.verdict is Verdict.WARN and "ignores" in self._verbs
-
-    @property
-    def _verbs(self) -> tuple[str, ...]:
-        """`ignores`; `warns`, `ignores` of "warns and ignores it"."""
-        return tuple(part.partition(" ")[0] for part in self.words.split(" and "))
+        return self.manner is Manner.IGNORE
 
     def __str__(self) -> str:
-        return f"{self.verdict.value}: {self.words}"
+        return f"{self.manner.value}: {self.words}"
 
     @classmethod
     @cache
     def of(cls, text: str) -> Reaction:
         """The reaction that ``str`` wrote."""
-        verdict, _, words = text.partition(": ")
-        return cls(Verdict(verdict), words)
+        manner, _, words = text.partition(": ")
+        return cls(Manner(manner), words)
 
 
 def accepts(words: str) -> Reaction:
     """It takes the file as it is; worth saying where one expects something else."""
-    return Reaction(Verdict.ACCEPT, words)
+    return Reaction(Manner.ACCEPT, words)
 
 
 def warns(words: str) -> Reaction:
-    """It reads the file, though not all of it, or not as it was meant."""
-    return Reaction(Verdict.WARN, words)
+    """It reads the file, though not as it was meant: ``warns("takes 1")``."""
+    return Reaction(Manner.WARN, words)
+
+
+def ignores(what: str) -> Reaction:
+    """It reads the file as if something were not written: ``ignores("it")``."""
+    return Reaction(Manner.IGNORE, f"ignores {what}")
+
+
+def drops(what: str) -> Reaction:
+    """It reads the file without a part of the robot that is written there: ``drops("the link")``."""
+    return Reaction(Manner.DROP, f"drops {what}")
 
 
 def refuses(words: str = "refuses the file") -> Reaction:
     """It does not get to the end of the file, or ends up with nothing."""
-    return Reaction(Verdict.REJECT, words)
+    return Reaction(Manner.REJECT, words)
 
 
 REFUSES = refuses()
@@ -161,10 +185,10 @@ Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
 
 
 def by_dialect(affects: Affects) -> dict[str, dict[str, str]]:
-    """Consumer → dialect → reaction, in full and as text: how an index holds it; without measured ones."""
+    """Consumer → dialect → reaction, in full and as text: how an index holds it."""
     texts = {}
     for consumer, said in sorted(affects.items(), key=lambda item: item[0].value):
-        if consumer.value in MEASURED:
+        if consumer.value in ON_REQUEST:
             continue
         reactions = dict.fromkeys(READS[consumer], said) if isinstance(said, Reaction) else said
         texts[consumer.value] = {dialect: str(reactions[dialect]) for dialect in sorted(reactions)}
@@ -195,6 +219,6 @@ def by_effect(effect: Effect) -> Reaction:
         "error": REFUSES,
         "abort": refuses("aborts"),
         "crash": refuses("crashes"),
-        "ignored": warns("ignores it"),
+        "ignored": ignores("it"),
         "accepted": accepts("takes it anyway"),
     }[outcome]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, refuses, warns
+from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops, refuses, warns
 from sdfcheck.formats.urdf.schema import extension, urdf
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.sniff import Kind
@@ -63,7 +63,7 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     if element.name == "material" and "visual" in _place(element):
         found[Consumer.DRAKE] = accepts("needs no name there")
     if (element.name, name) == ("link", "name"):
-        found[Consumer.URDFDOM] = warns("drops the rest of the link")
+        found[Consumer.URDFDOM] = drops("the rest of the link")
     if element.name == "mass":
         found[Consumer.DRAKE] = warns("takes 0")
     if (element.name, name) == ("robot", "link"):
@@ -149,9 +149,9 @@ def _urdfdom(place: frozenset[str]) -> Reaction:
     if "joint" in place:
         return REFUSES
     if "material" in place:
-        return warns("drops the material")
+        return drops("the material")
     if place & {"visual", "collision", "inertial"}:
-        return warns("drops the rest of the link")
+        return drops("the rest of the link")
     return REFUSES
 
 

@@ -8,6 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sdfcheck.formats.vendor import prefix_of
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
@@ -63,6 +64,7 @@ class Dispatch:
 
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
+        self.tables = index.tables
         self.severities = active.severities
         self.targets = active.targets
         # The consumers that somebody asks about: as a target, or by a rule that is off by default.
@@ -81,6 +83,14 @@ class Dispatch:
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
         """Subjects, each with the rules that look at them."""
         self._of_kind: dict[Kind, list[tuple[Subjects, list[RuleFacts]]]] = {}
+
+    def with_table(self, table: Path) -> Dispatch:
+        """The same with another table of a vendor's elements."""
+        from copy import copy
+
+        other = copy(self)
+        other.tables = {**self.tables, prefix_of(table): table}
+        return other
 
     def groups_of(self, kind: Kind) -> list[tuple[Subjects, list[RuleFacts]]]:
         """Those of the groups that documents of a kind can have subjects for."""
@@ -124,7 +134,7 @@ def _analysis(path: str) -> Callable[[Document], Iterable[object]]:
 def _tables(document: Document, dispatch: Dispatch) -> list[Path]:
     """The tables of the vendors whose prefix a document seems to use."""
     text = document.source.text
-    return [table for prefix, table in dispatch.index.tables.items() if f"{prefix}:" in text]
+    return [table for prefix, table in dispatch.tables.items() if f"{prefix}:" in text]
 
 
 def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:
@@ -182,7 +192,7 @@ def _adapted(
     if not diagnostics:
         return diagnostics
     targets = dispatch.targets
-    if facts.affects:
+    if facts.affects or diagnostics[0].affects:
         if dialect == EXTENSION and "gazebo" not in facts.affects:
             return []  # nobody concerned reads it
         diagnostics = [d._replace(affects=reactions(facts, dialect, d.affects, targets)) for d in diagnostics]

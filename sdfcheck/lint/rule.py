@@ -50,7 +50,7 @@ class Rule:
     """Texts such as ``<mesh``: in a document without any of them, nothing is looked at."""
     explains: ClassVar[tuple[type, ...]] = ()
     affects: ClassVar[Affects] = {}
-    """Which consumers are concerned, and what they do; empty: none, the file itself is at fault."""
+    """For rules of packs: which consumers are concerned, and what they do; empty: none, the file itself is at fault."""
     default: ClassVar[bool] = True
     """False: runs only when selected."""
     preview: ClassVar[bool] = False

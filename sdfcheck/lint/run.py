@@ -74,7 +74,7 @@ def reactions(
 
     Measured consumers count if they are among the ``targets``.
     """
-    from sdfcheck.consumers.reaction import MEASURED, READS, Consumer, Reaction
+    from sdfcheck.consumers.reaction import ON_REQUEST, READS, Consumer, Reaction
 
     if dialect == EXTENSION:
         known = reactions(facts, "sdf", special)
@@ -82,8 +82,8 @@ def reactions(
     written = {consumer: by[dialect] for consumer, by in facts.affects.items() if dialect in by}
     found = {consumer: Reaction.of(said) for consumer, said in written.items()}
     own = {consumer: said for consumer, said in special if dialect in READS[Consumer(consumer)]}
-    found.update((consumer, said) for consumer, said in own.items() if consumer not in MEASURED)
-    if not MEASURED.isdisjoint(targets):
+    found.update((consumer, said) for consumer, said in own.items() if consumer not in ON_REQUEST)
+    if not ON_REQUEST.isdisjoint(targets):
         from sdfcheck.consumers.measured import in_this_case
 
         found.update(in_this_case(facts.code, found, own, targets))

@@ -70,10 +70,10 @@ class Subjects:
         selected: list[Element] = []
         for name, around in self._selectors.get(document.kind.value, ()):
             selected += _in(document.view(_elements).get(name, ()), around)
-        if self._is_narrowed and not selected:
+        if self._is_narrowed and not selected and not self._elsewhere:
             return []
         found = self._found_elsewhere(document, tables) if self._elsewhere else []
-        if self._parts and document.kind in _OF_ROBOTS:
+        if self._parts and document.kind in _OF_ROBOTS and (selected or not self._is_narrowed):
             from sdfcheck.robot.root import root_of
 
             root = root_of(document)

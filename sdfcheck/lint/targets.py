@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from sdfcheck.consumers.measured import is_measured
-from sdfcheck.consumers.reaction import MEASURED, READS, Consumer, Reaction, Verdict
+from sdfcheck.consumers.reaction import ON_REQUEST, READS, Consumer, Reaction, Verdict
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
@@ -56,7 +56,7 @@ def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
     reasons.sort(key=lambda reason: (_rank(reason), reason.diagnostic.sort_key))
     if reasons:
         return Row(consumer, reasons[0].reaction.verdict, tuple(reasons))
-    if consumer.value in MEASURED and not is_measured(consumer):
+    if consumer.value in ON_REQUEST and not is_measured(consumer):
         return Row(consumer, Verdict.UNMEASURED, (), "nobody has measured what it does")
     return Row(consumer, Verdict.ACCEPT, ())
 

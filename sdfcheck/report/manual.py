@@ -271,8 +271,17 @@ def facts_record(facts: RuleFacts) -> Mapping[str, Any]:
         "default": facts.is_on,
         "preview": facts.preview,
         "url": facts.page,
-        "affects": {consumer: dict(reactions) for consumer, reactions in facts.affects.items()},
+        "affects": {
+            consumer: {dialect: _judged(said) for dialect, said in by.items()}
+            for consumer, by in facts.affects.items()
+        },
     }
+
+
+def _judged(said: str) -> str:
+    """A reaction with its verdict, which is one of few words."""
+    reaction = Reaction.of(said)
+    return f"{reaction.verdict.value}: {reaction.words}"
 
 
 def render(page: Manual) -> str:

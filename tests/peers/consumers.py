@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from sdfcheck.consumers.engines import RUN_BY, Engine, Question, ask_all, is_installed
-from sdfcheck.consumers.reaction import MEASURED, Consumer
+from sdfcheck.consumers.reaction import ON_REQUEST, Consumer
 
 
 def loads(engine: Engine, paths: Sequence[Path]) -> dict[Path, bool]:
@@ -18,5 +18,5 @@ def loads(engine: Engine, paths: Sequence[Path]) -> dict[Path, bool]:
 
 def installed() -> Mapping[Consumer, Callable[[Sequence[Path]], dict[Path, bool]]]:
     """Consumer → the function that finds out which of some files it takes; of those that rules speak of."""
-    stated = ((one, engine) for one, engine in RUN_BY.items() if one.value not in MEASURED)
+    stated = ((one, engine) for one, engine in RUN_BY.items() if one.value not in ON_REQUEST)
     return {consumer: partial(loads, engine) for consumer, engine in stated if is_installed(engine)}

@@ -6,12 +6,17 @@ A question is a path of names, as short as is clear; its prefix says which forma
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from pathlib import Path
+
 from sdfcheck.formats.describe.description import Description, UnknownPlace
 from sdfcheck.formats.version import NEWEST, Version
 
 
-def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...]:
-    """All places that a question fits, sorted; ``version`` is that of SDFormat.
+def describe(
+    question: str, version: Version = NEWEST, tables: Iterable[Path] = ()
+) -> tuple[Description, ...]:
+    """All places that a question fits, sorted; ``version`` is that of SDFormat, ``tables`` are those of packs.
 
     Raises: UnknownPlace: the format has no such place.
     """
@@ -26,7 +31,7 @@ def describe(question: str, version: Version = NEWEST) -> tuple[Description, ...
     if dialect:
         from sdfcheck.formats.describe.vendor import describe_vendor
 
-        return describe_vendor(dialect, steps)
+        return describe_vendor(dialect, steps, tables)
     try:
         return describe_places(schema(version), steps)
     except UnknownPlace as error:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from pathlib import Path
+
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing, summary
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.vendor import BUILT_IN, prefix_of
@@ -17,28 +20,30 @@ class _Table(NamedTuple):
     vendor: Vendor
 
 
-def describe_vendor(prefix: str, steps: tuple[str, ...]) -> tuple[Description, ...]:
-    """A prefixed name in each dialect; plain names before it narrow the places.
+def describe_vendor(
+    prefix: str, steps: tuple[str, ...], tables: Iterable[Path] = ()
+) -> tuple[Description, ...]:
+    """A prefixed name in each dialect, also by ``tables`` of packs; plain names before it narrow the places.
 
     Raises:
         UnknownPlace: the prefix has no table, or the table no such name.
     """
-    path = next((path for path in BUILT_IN if prefix_of(path) == prefix), None)
-    if path is None:
-        near = suggest(prefix, ["sdf", "urdf", *map(prefix_of, BUILT_IN)])
+    paths = {prefix_of(path): path for path in (*BUILT_IN, *tables)}
+    if prefix not in paths:
+        near = suggest(prefix, ["sdf", "urdf", *paths])
         advice = f", did you mean `{near}:`?" if near else ""
         raise UnknownPlace(f"nothing is known of the prefix `{prefix}`{advice}")
-    tables = [_Table(dialect, vendor(path, dialect)) for dialect in DIALECTS]
+    known = [_Table(dialect, vendor(paths[prefix], dialect)) for dialect in DIALECTS]
     *_, last = steps
     if ":" not in last:
-        return _slots(steps, tables)
+        return _slots(steps, known)
     name = last.removeprefix("@")
-    if not any(name in table.vendor.tags for table in tables):
-        raise missing(name, tables[0].vendor.name, sorted(tables[0].vendor.tags))
-    found = [_tag(table, table.vendor.tags[name], steps[:-1]) for table in tables]
+    if not any(name in table.vendor.tags for table in known):
+        raise missing(name, known[0].vendor.name, sorted(known[0].vendor.tags))
+    found = [_tag(table, table.vendor.tags[name], steps[:-1]) for table in known]
     kept = tuple(description for description in found if description is not None)
     if not kept:
-        raise UnknownPlace(f"{tables[0].vendor.name} does not read `{name}` in `{'/'.join(steps[:-1])}`")
+        raise UnknownPlace(f"{known[0].vendor.name} does not read `{name}` in `{'/'.join(steps[:-1])}`")
     return kept
 
 

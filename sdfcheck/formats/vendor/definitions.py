@@ -244,6 +244,7 @@ class Vendor:
     """The table of one prefix, as one dialect has it."""
 
     __slots__ = (
+        "has_own_rules",
         "ignored_in",
         "is_lenient",
         "name",
@@ -263,6 +264,8 @@ class Vendor:
         """The newest release of the consumer that the table knows."""
         self.version = keys.text("version")
         """The attribute of the root that says what release a document is written for."""
+        self.has_own_rules = keys.text("rules") == "own"
+        """A pack has rules of its own about these tags."""
         self.is_lenient = True
         """Numbers are taken from the front of a text, and 0 where there is none."""
         self.unknown = IGNORED

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
 from pathlib import Path
 
-from sdfcheck.consumers.reaction import MEASURED, Consumer
+from sdfcheck.consumers.reaction import ON_REQUEST, Consumer
 from sdfcheck.lint.config.configuration import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Fix, TextEdit
@@ -216,7 +216,7 @@ def _lost_directives(before: _Linted, after: _Linted, fixes: Sequence[Fix]) -> C
 
 def _stopping(found: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The errors for which no consumer gets a robot."""
-    every = {consumer.value for consumer in Consumer} - MEASURED
+    every = {consumer.value for consumer in Consumer} - ON_REQUEST
     return [
         each
         for each in found

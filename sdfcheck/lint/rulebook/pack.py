@@ -17,7 +17,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.run import BUILT_IN, RuleFacts
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -95,8 +95,10 @@ def rule_classes(module: ModuleType) -> list[type[Rule]]:
 
 def describe(rule: type[Rule]) -> RuleFacts:
     """The facts of a rule, from its class."""
+    from sdfcheck.consumers.measured import always_known
     from sdfcheck.consumers.reaction import by_dialect
 
+    is_built_in = rule.__module__.startswith(f"{BUILT_IN}.")
     fixed = [bad for bad in rule.bad if bad.fixed is not None]
     fixable = "" if not fixed else "safe" if any(not bad.unsafe for bad in fixed) else "unsafe"
     return RuleFacts(
@@ -109,7 +111,7 @@ def describe(rule: type[Rule]) -> RuleFacts:
         rule.default,
         rule.selects,
         tuple(kind.__name__ for kind in rule.explains),
-        by_dialect(rule.affects),
+        always_known(rule.code) if is_built_in else by_dialect(rule.affects),
         rule.__module__,
         tuple(kind.__name__ for kind in rule.looks_at),
         rule.needs,

@@ -1,21 +1,33 @@
-"""Writes the table of measured reactions: ``python -m sdfcheck.lint.rulebook.reactions``.
+"""Writes the table of reactions: ``python -m sdfcheck.lint.rulebook.reactions [CONSUMER…]``.
 
 Each rule's bad examples, and what they are after the fix (or the rule's good examples), are given
 to the consumers that are installed. An example whose counterpart is refused as well says nothing.
-The rows of consumers that are not installed stay as they are.
+The reactions of :data:`ON_REQUEST` are written as they were measured. Those of the others are
+written by people: a row counts as measured if the consumer takes and refuses the examples as
+their findings say, and what differs is printed. The rows of consumers that are not installed stay as they are.
 """
 
 from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from sdfcheck.consumers.engines import RUN_BY, Answer, Limits, Outcome, Question, ask_all, is_installed
-from sdfcheck.consumers.measured import AS_PARSER, CONSUMERS, FILE, THROUGH, Table
-from sdfcheck.consumers.reaction import READS, Consumer, Reaction
+from sdfcheck.consumers.measured import AS_PARSER, FILE, TAKEN, THROUGH, Place, Table
+from sdfcheck.consumers.reaction import (
+    ON_REQUEST,
+    READS,
+    REFUSES,
+    Consumer,
+    Reaction,
+    Verdict,
+    accepts,
+    refuses,
+    warns,
+)
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rule import Rule
@@ -23,7 +35,9 @@ from sdfcheck.lint.rulebook.plugins.find import find_pack
 from sdfcheck.lint.rulebook.plugins.load import load_rules
 from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.lint.session import Options, run
+from sdfcheck.lint.targets import matrix
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
 
 _LIMITS = Limits(10.0)
 _ELSEWHERE = (".xacro", ".config", ".srdf")
@@ -34,6 +48,7 @@ class Trial(NamedTuple):
     """A bad example, and documents that are like it without the defect."""
 
     code: str
+    kind: Kind
     bad: Path
     sound: tuple[Path, ...]
     is_fixed: bool
@@ -41,7 +56,7 @@ class Trial(NamedTuple):
 
 
 def trials(rules: Iterable[type[Rule]], folder: Path) -> Iterator[Trial]:
-    """The bad examples that are URDF, written out."""
+    """The bad examples that are SDFormat or URDF, written out."""
     for rule in rules:
         sound = [_written(rule, one, folder, f"good-{n}") for n, one in enumerate(rule.good)]
         for number, one in enumerate(rule.bad):
@@ -52,55 +67,99 @@ def trials(rules: Iterable[type[Rule]], folder: Path) -> Iterator[Trial]:
             if one.fixed is not None:
                 fixed = _written(rule, one._replace(text=one.fixed), folder, f"fixed-{number}")
             known = [fixed] if fixed is not None else sound
-            yield Trial(rule.code, bad, tuple(path for path in known if path is not None), fixed is not None)
+            like = tuple(other.path for other in known if other is not None and other.kind is bad.kind)
+            yield Trial(rule.code, bad.kind, bad.path, like, fixed is not None)
 
 
-def _written(rule: type[Rule], example: Bad | Good, folder: Path, name: str) -> Path | None:
+class _Written(NamedTuple):
+    path: Path
+    kind: Kind
+
+
+def _written(rule: type[Rule], example: Bad | Good, folder: Path, name: str) -> _Written | None:
     text = unmark(fill(rule.scaffold, example))[0]
-    if "<robot" not in text or example.file.endswith(_ELSEWHERE):
+    kind = Kind.URDF if "<robot" in text else Kind.SDF if "<sdf" in text else None
+    if kind is None or example.file.endswith(_ELSEWHERE):
         return None
-    file = folder / f"{rule.code}-{name}" / (example.file or "example.urdf")
+    file = folder / f"{rule.code}-{name}" / (example.file or f"example.{kind.value}")
     for beside, content in {**(example.files or {}), file.name: text}.items():
         path = file.parent / beside
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content, encoding="utf-8")
-    return file
+    return _Written(file, kind)
 
 
-def measured(consumer: Consumer, known: Sequence[Trial]) -> Iterator[tuple[str, str]]:
-    """Rule → the reaction of a consumer, for the rules whose examples say something."""
-    paths = sorted({path for trial in known for path in (trial.bad, *trial.sound)})
+class _Expected:
+    """The verdicts on documents that their findings give."""
+
+    def __init__(self, consumers: Collection[Consumer]) -> None:
+        self._consumers = consumers
+        self._known: dict[Path, Mapping[Consumer, Verdict]] = {}
+
+    def of(self, trial: Trial, consumer: Consumer) -> Verdict:
+        """The verdict of a consumer on a bad example."""
+        if trial.bad not in self._known:
+            names = tuple(one.value for one in self._consumers)
+            done = run([trial.bad], Options(Configuration(isolated=True), target=names))
+            rows = matrix(done, trial.kind, trial.bad, self._consumers)
+            self._known[trial.bad] = {row.consumer: row.verdict for row in rows}
+        return self._known[trial.bad][consumer]
+
+    def is_met(self, trial: Trial, consumer: Consumer, answer: Answer) -> bool:
+        return (self.of(trial, consumer) is Verdict.REJECT) is not answer.is_accepted
+
+
+def measured(
+    consumer: Consumer, known: Sequence[Trial], before: Mapping[Place, str], expected: _Expected
+) -> Iterator[tuple[Place, str]]:
+    """The rows of a consumer, for the rules whose examples say something."""
+    read = [one for one in known if one.kind.value in READS[consumer]]
+    if consumer.value not in ON_REQUEST:
+        read = [one for one in read if expected.of(one, consumer) is not Verdict.UNREAD]
+    paths = sorted({path for trial in read for path in (trial.bad, *trial.sound)})
     asked = ask_all(RUN_BY[consumer], map(Question, paths), _LIMITS)
     answers = dict(zip(paths, asked, strict=True))
-    by_rule: dict[str, list[Trial]] = {}
-    for trial in known:
+    by_rule: dict[Place, list[Trial]] = {}
+    for trial in read:
         if any(answers[path].is_accepted for path in trial.sound):
-            by_rule.setdefault(trial.code, []).append(trial)
-    for code, own in sorted(by_rule.items()):
-        if consumer in THROUGH and all(_does_as_parser(trial, answers[trial.bad], consumer) for trial in own):
-            yield code, AS_PARSER
-        else:
-            yield code, str(_reaction(own, answers))
+            by_rule.setdefault(Place(trial.code, consumer.value, trial.kind.value), []).append(trial)
+    for place, own in sorted(by_rule.items()):
+        said = _row(place, own, answers, expected, before.get(place))
+        if said is not None:
+            yield place, said
 
 
-def _does_as_parser(trial: Trial, answer: Answer, consumer: Consumer) -> bool:
-    """Is the verdict on an example the one that its finding gives of the consumer's parser?"""
-    parser = THROUGH[consumer].value
-    done = run([trial.bad], Options(Configuration(isolated=True), target=(parser,)))
-    refused = any(dict(one.affects)[parser].is_refusal for one in done.diagnostics if parser in one.concerned)
-    return refused is not answer.is_accepted
+def _row(
+    place: Place,
+    own: Sequence[Trial],
+    answers: Mapping[Path, Answer],
+    expected: _Expected,
+    before: str | None,
+) -> str | None:
+    consumer = Consumer(place.consumer)
+    judge = THROUGH.get(consumer, consumer)
+    if judge.value in ON_REQUEST:
+        return str(_reaction(own, answers))
+    differing = [one for one in own if not expected.is_met(one, judge, answers[one.bad])]
+    if judge is not consumer:
+        return str(_reaction(own, answers)) if differing else AS_PARSER
+    for one in differing:
+        print(f"{one.bad.parent.name}: {place.consumer} {answers[one.bad].outcome.value}s it, unexpectedly")
+    if differing:
+        return None
+    return before or (TAKEN if all(answers[one.bad].is_accepted for one in own) else None)
 
 
 def _reaction(own: Sequence[Trial], answers: Mapping[Path, Answer]) -> Reaction:
     refused = [answers[trial.bad] for trial in own if not answers[trial.bad].is_accepted]
     if len(refused) == len(own):
         crashed = all(answer.outcome is Outcome.CRASHED for answer in refused)
-        return Reaction.of("reject: crashes" if crashed else "reject: refuses the file")
+        return refuses("crashes") if crashed else REFUSES
     if any(trial.is_fixed and not answers[trial.bad].is_accepted for trial in own):
-        return Reaction.of("warn: refuses some of such files")
+        return warns("refuses some of such files")
     if any(_complaints(trial, answers) for trial in own):
-        return Reaction.of("warn: warns, and reads on")
-    return Reaction.of("accept: takes it as it is")
+        return warns("warns, and reads on")
+    return accepts("takes it as it is")
 
 
 def _complaints(trial: Trial, answers: Mapping[Path, Answer]) -> set[str]:
@@ -113,47 +172,39 @@ def _complaints(trial: Trial, answers: Mapping[Path, Answer]) -> set[str]:
     return alarms(trial.bad).difference(*map(alarms, trial.sound))
 
 
-def stated(rules: Iterable[type[Rule]], consumer: Consumer) -> Iterator[tuple[str, str]]:
-    """Rule → the reaction that it states itself, where there is nothing to read: xacro that is not expanded."""
-    for rule in rules:
-        said = rule.affects.get(consumer)
-        is_xacro = all(
-            "xacro" in fill(rule.scaffold, one) or one.file.endswith(_ELSEWHERE) for one in rule.bad
-        )
-        if isinstance(said, Reaction) and is_xacro and consumer not in THROUGH:
-            yield rule.code, str(said)
-
-
-def render(rules: Sequence[type[Rule]], before: Table) -> str:
-    """The table with the rows of the consumers that are installed measured again."""
-    rows: dict[tuple[str, str], str] = {
-        (code, name): by["urdf"]
-        for code, own in before.rows.items()
-        for name, by in own.items()
-        if not is_installed(RUN_BY[Consumer(name)])
-    }
-    versions = dict(before.versions)
+def again(rules: Sequence[type[Rule]], before: Table, consumers: Iterable[Consumer]) -> Table:
+    """The table with the rows of those of the consumers that are installed measured again."""
+    codes = {rule.code for rule in rules}
+    rows = {place: said for place, said in before if place.code in codes}
+    after = Table("")
+    after.versions.update(before.versions)
+    after.unmeasured |= before.unmeasured & rows.keys()
     with TemporaryDirectory() as folder:
         known = list(trials(rules, Path(folder)))
-        for consumer in filter(lambda one: is_installed(RUN_BY[one]), CONSUMERS):
-            found = {**dict(stated(rules, consumer)), **dict(measured(consumer, known))}
-            rows.update(((code, consumer.value), said) for code, said in found.items())
+        expected = _Expected([one for one in Consumer if one.value not in ON_REQUEST])
+        for consumer in filter(lambda one: is_installed(RUN_BY[one]), consumers):
+            found = dict(measured(consumer, known, rows, expected))
+            after.unmeasured |= {one for one in rows.keys() - found.keys() if one.consumer == consumer.value}
+            after.unmeasured -= found.keys()
+            rows.update(found)
             (sample,) = ask_all(RUN_BY[consumer], [Question(known[0].bad)], _LIMITS)
-            versions[consumer.value] = f"{RUN_BY[consumer].value} {sample.version}"
-    assert all(READS[consumer] == ("urdf",) for consumer in CONSUMERS)
-    lines = [f"# {name}: {version}" for name, version in sorted(versions.items())]
-    lines += [f"{code}\t{name}\turdf\t{said}" for (code, name), said in sorted(rows.items())]
-    return "\n".join(lines) + "\n"
+            after.versions[consumer.value] = f"{RUN_BY[consumer].value} {sample.version}"
+    for place, said in rows.items():
+        after.rows.setdefault(place.code, {}).setdefault(place.consumer, {})[place.dialect] = said
+    return after
 
 
-def main() -> int:
+def main(names: Sequence[str]) -> int:
     rules, faults = load_rules(find_pack(BUILT_IN))
     before = Table(FILE.read_text("utf-8") if FILE.is_file() else "")
     if faults:
         return 1
-    FILE.write_text(render(sorted(rules, key=lambda rule: rule.code), before), encoding="utf-8")
+    after = again(
+        sorted(rules, key=lambda rule: rule.code), before, map(Consumer, names) if names else Consumer
+    )
+    FILE.write_text(after.render(), encoding="utf-8")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

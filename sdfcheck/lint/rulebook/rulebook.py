@@ -107,9 +107,9 @@ class RuleBook:
 
 def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tuple[RuleFacts, ...]:
     """The rules with the reactions of those targets that are not in the index."""
-    from sdfcheck.consumers.reaction import MEASURED
+    from sdfcheck.consumers.reaction import ON_REQUEST
 
-    if MEASURED.isdisjoint(targets):
+    if ON_REQUEST.isdisjoint(targets):
         return rules
     from sdfcheck.consumers.measured import with_measured
     from sdfcheck.lint.diagnostic import Severity

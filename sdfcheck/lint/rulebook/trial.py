@@ -7,6 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from sdfcheck.files.library import Library
+from sdfcheck.formats.vendor import SUFFIX
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro
 from sdfcheck.lint.example import Bad, Good, fill, unmark
@@ -51,13 +52,14 @@ class ExampleRunner:
         if folder is None:
             with TemporaryDirectory() as made:
                 return self.lint(text, example, Path(made))
+        dispatch = self._dispatch
         for name, content in example.files.items():
             file = folder / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(content, encoding="utf-8")
-        return lint_source(
-            text.encode(), folder / path, kind, self._dispatch, Library(), self._xacro
-        ).diagnostics
+            if name.endswith(SUFFIX):
+                dispatch = dispatch.with_table(file)
+        return lint_source(text.encode(), folder / path, kind, dispatch, Library(), self._xacro).diagnostics
 
 
 def file_name(text: str, example: Bad | Good) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -61,3 +62,25 @@ def test_wrong_questions(arguments: list[str], says: str, capsys: pytest.Capture
     out, err = capsys.readouterr()
     assert out == ""
     assert says in err
+
+
+def test_the_table_of_a_pack(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = "vendor\tAcme\thttps://example.org/acme\n\nforce\tdouble\t2\trange=[0,inf]\n urdf\trobot/joint\ttext\t0\n"
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "acme.vendor.txt").write_text(table, encoding="utf-8")
+    (tmp_path / "sdfcheck.toml").write_text('plugins = ["tables/"]\n', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main(["describe", "--trust-config", "acme:force"]) == 0
+    assert capsys.readouterr().out.splitlines()[-7:] == [
+        "acme:force (Acme (URDF))",
+        "  element, of type double",
+        "  default  2",
+        "  range    at least 0",
+        "",
+        "  found in",
+        "    robot/joint  at most one",
+    ]
+    assert main(["describe", "drake:mu_dynamic"]) == 0
+    assert main(["describe", "--isolated", "acme:force"]) == 2

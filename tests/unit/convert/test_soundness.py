@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.consumers.reaction import warns
+from sdfcheck.consumers.reaction import drops
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf import convert
 from sdfcheck.convert.soundness import new_refusals
@@ -176,7 +176,7 @@ def test_a_part_that_a_consumer_of_the_result_drops_is_an_error() -> None:
         Severity.WARNING,
         "link `a` is dropped",
         result.root.span,
-        affects=(("gazebo", warns("drops the link and those below it")),),
+        affects=(("gazebo", drops("the link and those below it")),),
     )
     errors, refusal = new_refusals(source, (), result, (found,))
     assert [one.code for one in errors] == ["CNV031"]

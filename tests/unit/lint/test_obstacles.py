@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, warns
+from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.obstacles import OWN_CONSUMER, obstacles, own_consumer
 from sdfcheck.source.document import read
@@ -38,7 +38,7 @@ def stops(
         ({"drake": REFUSES}, False, False),
         ({"urdfdom": REFUSES, "gazebo": REFUSES}, True, True),
         ({"urdfdom": accepts("takes it"), "gazebo": REFUSES}, False, True),
-        ({"urdfdom": warns("drops the rest of the link")}, False, False),
+        ({"urdfdom": drops("the rest of the link")}, False, False),
     ],
 )
 def test_the_own_consumer_decides(affects: dict[str, Reaction], urdf: bool, sdf: bool) -> None:

@@ -127,3 +127,49 @@ def test_a_prefix_has_one_table(tmp_path: Path) -> None:
     (tmp_path / "drake.vendor.txt").write_text("vendor\tMine\turi\n")
     with pytest.raises(PackError, match="the prefix drake is taken"):
         load_index((tmp_path,))
+
+
+TABLE = """vendor\tMuJoCo\thttps://example.org/mujoco
+reads\turdf\tstrict
+unknown\turdf\tignored
+
+armature\tdouble\t0\trange=[0,inf]
+ urdf\trobot/joint/dynamics\tattribute\t0
+"""
+MOTOR = (
+    '<robot name="r" xmlns:mujoco="https://example.org/mujoco"><link name="a"/><link name="b"/>'
+    '<joint name="j" type="continuous"><parent link="a"/><child link="b"/>'
+    '<dynamics damping="1" friction="0" {}/></joint></robot>'
+)
+
+
+@pytest.mark.parametrize(
+    ("attribute", "severity", "message"),
+    [
+        ('mujoco:armature="0.1"', None, ""),
+        ('mujoco:armature="-1"', "error", "VND003 `mujoco:armature` should be at least 0, not `-1`"),
+        ('mujoco:armatur="1"', "warning", "VND001 `mujoco:armatur` is not known to MuJoCo"),
+    ],
+)
+def test_a_table_is_enough(attribute: str, severity: str | None, message: str, tmp_path: Path) -> None:
+    (tmp_path / "mujoco.vendor.txt").write_text(TABLE, encoding="utf-8")
+    index = load_index((tmp_path,))
+
+    def found(*targets: str) -> list[Diagnostic]:
+        dispatch = Dispatch(index, ActiveRules(index.facts, {}, frozenset(targets)))
+        text = MOTOR.format(attribute).encode()
+        every = lint_source(text, Path("robot.urdf"), None, dispatch).diagnostics
+        return [each for each in every if each.code.startswith("VND")]
+
+    assert [each.severity.value for each in found()] == ([] if severity is None else [severity])
+    assert all(f"{each.code} {each.message}".startswith(message) for each in found())
+    assert [each.concerned for each in found()] == [{"mujoco"}] * len(found())
+    assert [each.message for each in found("mujoco")] == [each.message for each in found()]
+    assert found("drake") == []
+
+
+def test_a_pack_with_rules_of_its_own_has_no_others() -> None:
+    dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
+    text = MODEL.format("", "", "", "", "<flatland:transmision/>").encode()
+    found = lint_source(text, Path("model.sdf"), None, dispatch).diagnostics
+    assert [each.code for each in found if each.code.startswith(("FLT", "VND"))] == ["FLT001"]

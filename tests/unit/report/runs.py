@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.consumers.reaction import refuses, warns
+from sdfcheck.consumers.reaction import ignores, refuses
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Applicability, Fix, TextEdit
 from sdfcheck.lint.run import RuleFacts, Run
@@ -90,7 +90,7 @@ def rich_diagnostic() -> Diagnostic:
     """One with everything; characters of several bytes are before the defect."""
     call, _ = marked("«call»", "world.xacro")
     found = fixed(diagnostic("<é>\n\t<𐐀>«a»</𐐀>{b}\n", "here"), "c")
-    affects = (("drake", refuses("aborts")), ("gazebo", warns("ignores it")))
+    affects = (("drake", refuses("aborts")), ("gazebo", ignores("it")))
     return found._replace(help="rename it", origins=(Origin(call, "included here"),), affects=affects)
 
 
