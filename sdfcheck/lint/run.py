@@ -59,6 +59,21 @@ class RuleFacts(NamedTuple):
         return self.module.partition(".")[0] in {BUILT_IN, "sdfcheck"}
 
     @property
+    def remedy(self) -> str:
+        """How to correct a finding, in Markdown, from the rule's module; empty of a pack's rule that is not loaded."""
+        import sys
+        from importlib import import_module
+        from inspect import cleandoc
+
+        module = import_module(self.module) if self.is_built_in else sys.modules.get(self.module)
+        rules = (
+            (each for each in vars(module).values() if getattr(each, "code", "") == self.code)
+            if module
+            else ()
+        )
+        return cleandoc(getattr(next(iter(rules), None), "remedy", ""))
+
+    @property
     def page(self) -> str | None:
         """The address of the page about the rule; rules of packs have none."""
         return rule_page(self.name) if self.is_built_in else None

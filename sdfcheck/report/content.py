@@ -191,6 +191,7 @@ class Content:
                 "name": visible(names[code]),
                 "summary": visible(known[code].summary) if code in known else "",
                 "page": known[code].page if code in known else None,
+                "remedy": "\n".join(map(visible, known[code].remedy.splitlines())) if code in known else "",
             }
             for code in self._rules
         ]

@@ -66,13 +66,14 @@ _LONGEST = 1024  # characters of a description that GitHub keeps
 def render(run: Run) -> str:
     paths = Paths("GITHUB_WORKSPACE")
     indices = {facts.code: index for index, facts in enumerate(run.rules)}
+    found = {diagnostic.code for diagnostic in run.diagnostics}
     hashes = _hashes(run.diagnostics)
     driver = {
         "name": "sdfcheck",
         "version": __version__,
         "semanticVersion": __version__,
         "informationUri": HOME,
-        "rules": [_rule(facts) for facts in run.rules],
+        "rules": [_rule(facts, facts.remedy if facts.code in found else "") for facts in run.rules],
     }
     log = {
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
@@ -95,8 +96,10 @@ def render(run: Run) -> str:
     return json.dumps(log, indent=2) + "\n"
 
 
-def _rule(facts: RuleFacts) -> dict[str, Any]:
+def _rule(facts: RuleFacts, remedy: str) -> dict[str, Any]:
+    """The description of a rule; how to correct a finding is said of those that have findings."""
     summary = facts.summary[:_LONGEST]
+    to_fix = f"\n\nHow to fix it: {remedy}" if remedy else ""
     consumers = "".join(f"\n- {line}" for line in lines(facts.affects))
     affects = f"\n\nAffects:\n{consumers}" if consumers else ""
     command = f"sdfcheck rule {facts.name}"
@@ -108,8 +111,8 @@ def _rule(facts: RuleFacts) -> dict[str, Any]:
         "fullDescription": {"text": summary},
         **({"helpUri": facts.page} if facts.page else {}),
         "help": {
-            "text": f"{facts.summary}{affects}\n\nMore: {facts.page or command}",
-            "markdown": f"{facts.summary}{affects}\n\nMore: {more}",
+            "text": f"{facts.summary}{to_fix}{affects}\n\nMore: {facts.page or command}",
+            "markdown": f"{facts.summary}{to_fix}{affects}\n\nMore: {more}",
         },
         "defaultConfiguration": {"enabled": facts.is_on, "level": _LEVELS[facts.severity]},
         "properties": {

@@ -45,7 +45,13 @@ def test_a_finding_has_all_that_the_other_formats_have() -> None:
     assert "\x1b[1;31m^\x1b[0m" in finding["frames"][0]["text"]
     assert shown["places"] == ["arm.sdf"]
     assert shown["rules"] == [
-        {"code": "NAM901", "name": "taken-name", "summary": "Two things have one name.", "page": None}
+        {
+            "code": "NAM901",
+            "name": "taken-name",
+            "summary": "Two things have one name.",
+            "page": None,
+            "remedy": "",
+        }
     ]
     assert shown["reactions"][finding["affects"]] == [
         {"consumer": "Drake", "verdict": "reject", "words": "aborts"},

@@ -1,10 +1,12 @@
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from sdfcheck.cli.main import main
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.release import HOME
 from sdfcheck.report import OutputFormat
@@ -134,3 +136,13 @@ def test_sarif_links_built_in_rules_and_only_those() -> None:
     assert "helpUri" not in of_a_pack
     assert built_in["helpUri"] == f"{HOME}/rules/taken-name/"
     assert built_in["helpUri"] in built_in["help"]["text"]
+
+
+def test_sarif_says_how_to_fix_what_was_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "r.urdf"
+    file.write_text('<robot name="r"><link name="a"/><link name="a"/></robot>')
+    assert main(["lint", str(file), "--isolated", "--output-format", "sarif"]) == 1
+    (log,) = json.loads(capsys.readouterr().out)["runs"]
+    help_of = {each["id"]: each["help"]["markdown"] for each in log["tool"]["driver"]["rules"]}
+    assert "How to fix it: " in help_of["NAM001"]
+    assert "How to fix it: " not in help_of["JNT005"]

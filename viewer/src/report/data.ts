@@ -36,6 +36,8 @@ export interface Rule {
   name: string;
   summary: string;
   page: string | null;
+  /** Markdown: paragraphs and blocks of code. */
+  remedy: string;
 }
 
 export interface Reaction {

@@ -35,6 +35,7 @@ export function fill(details: HTMLDetailsElement, report: Report, finding: Findi
   }
   if (finding.fix) body.append(...fixed(finding.fix, finding.line));
   if (finding.help) body.append(made("p", {}, made("strong", {}, "Help: "), ...prose(finding.help)));
+  if (rule.remedy) body.append(remedy(rule.remedy));
   for (const origin of finding.origins ?? []) body.append(made("p", {}, made("strong", {}, "Note: "), origin));
   const reactions = report.reactions[finding.affects ?? 0]!;
   if (reactions.length)
@@ -46,6 +47,14 @@ export function fill(details: HTMLDetailsElement, report: Report, finding: Findi
       : made("code", {}, `sdfcheck rule ${rule.name}`),
     " ", ...prose(rule.summary), " ", made("a", { href: linkTo({ rule: rule.code }) }, "All of this rule")));
   details.append(body);
+}
+
+function remedy(text: string): HTMLElement {
+  const parts = text.split(/^```\w*\n([^]*?)^```$/m).flatMap((part, at): HTMLElement[] =>
+    at % 2
+      ? [made("pre", { tabindex: "0", role: "group", "aria-label": "Example" }, part.trimEnd())]
+      : part.split(/\n\n+/).filter((each) => each.trim()).map((each) => made("p", {}, ...prose(each.trim()))));
+  return made("details", { class: "remedy" }, made("summary", {}, "How to fix it"), ...parts);
 }
 
 function painted(text: string): (Node | string)[] {
