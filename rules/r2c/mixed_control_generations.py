@@ -93,7 +93,7 @@ def is_only_mock(block: Ros2Control) -> bool:
     return (
         value is not None
         and value.text.strip() in MOCKS
-        and not any(other.is_simulated for other in block.model.ros2_control)
+        and not block.model.has_simulated_hardware
     )
 
 

@@ -1476,6 +1476,11 @@ class Model(Scope):
         return tuple(self._parts("ros2_control")) if self.is_urdf else ()
 
     @lazy
+    def has_simulated_hardware(self) -> bool:
+        """Do some of its ``ros2_control`` blocks ask for the hardware of a simulator?"""
+        return any(block.is_simulated for block in self.ros2_control)
+
+    @lazy
     def control_joints(self) -> dict[str, list[ControlComponent]]:
         """The joints of all ``ros2_control`` blocks by their names; of two of one name in a block the first."""
         found: dict[str, list[ControlComponent]] = {}
