@@ -43,6 +43,7 @@ _LABELS = {
 _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
 """The attribute that holds the name, where it is another one."""
 _TYPED = frozenset({"joint", "sensor", "light"})
+_NAMED = frozenset(('name="', "name='"))
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 
 
@@ -90,8 +91,8 @@ def _entry(kind: str, inside: str, start: int) -> Entry:
     at = start + 1 + len(kind)
     label = _OTHERS.get(kind, "name")
     name, first = "", 0
-    if inside[1:6] == "name=" and label == "name":  # as most are written
-        quoted = inside[7 : inside.find(inside[6], 7)]
+    if label == "name" and inside[1:7] in _NAMED and (end := inside.find(inside[6], 7)) > 0:  # as usual
+        quoted = inside[7:end]
         name = quoted.strip()
         first = 7 + quoted.find(name)
     elif inside and (match := _LABELS[label].search(inside)) is not None:
