@@ -90,11 +90,7 @@ def library_of(plugin: Plugin) -> str:
 def is_only_mock(block: Ros2Control) -> bool:
     """Is its hardware made up, while the robot has none of a simulator?"""
     value = block.plugin_value
-    return (
-        value is not None
-        and value.text.strip() in MOCKS
-        and not block.model.has_simulated_hardware
-    )
+    return value is not None and value.text.strip() in MOCKS and not block.model.has_simulated_hardware
 
 
 def loader(block: Ros2Control) -> Plugin | None:

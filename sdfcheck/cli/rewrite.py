@@ -128,7 +128,8 @@ class Rewriter:
                 say(f"    {count} × {fix.code} {fix.name}: {fix.title}")
 
     def _fixed_files(self, done: Run) -> Iterator[FixedFile]:
-        for fixed_file in self._work.change(done, self._paths, self._options):
+        left = tuple(each for each in done.diagnostics if each.span.source.path not in self._given_up)
+        for fixed_file in self._work.change(done._replace(diagnostics=left), self._paths, self._options):
             if fixed_file.path in self._given_up:
                 continue
             if fixed_file.refusal:

@@ -112,7 +112,9 @@ def test_the_keyboard_is_enough(tab: chromium.Tab, report: Path) -> None:
     is_open = "document.activeElement.closest('details').open"
     for key, number in (("j", 0), ("j", 1), ("k", 0)):
         press(key)
-        focused = "[...document.querySelectorAll('details.finding')].indexOf(document.activeElement.parentElement)"
+        focused = (
+            "[...document.querySelectorAll('details.finding')].indexOf(document.activeElement.parentElement)"
+        )
         assert tab.run(focused) == number
     before = tab.run(is_open)
     press("Enter")
