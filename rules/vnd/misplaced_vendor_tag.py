@@ -25,7 +25,7 @@ class MisplacedVendorTag(VendorRule):
         ),
         Bad(
             '<dynamics damping="1" friction="0"><«acme:armature»/></dynamics>',
-            says="Acme ignores it",
+            says="Acme ignores it; it goes into `robot/joint/dynamics/@acme:armature`",
             scaffold=ROBOT,
             files=TABLE,
         ),

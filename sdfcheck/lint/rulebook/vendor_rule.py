@@ -90,7 +90,8 @@ class VendorRule(Rule):
 
     def misplaced(self, tag: VendorTag) -> Diagnostic:
         """The tag is where nobody looks for it."""
-        name, places = tag.name, named(tag.places, "or")
+        name = tag.name
+        places = named([f"{each}{name}" if each.endswith("@") else each for each in tag.places], "or")
         if tag.unmet is not None:
             return self.report(tag, f"`{name}` is read only in {places}", tag.effect)
         if places:
