@@ -37,6 +37,7 @@ OF_OTHER_CONSUMERS = {
     "missing-attribute": "urdfdom refuses it",
     "missing-axis": "Drake refuses it",
     "missing-geometry": "urdfdom drops the rest of the link",
+    "misspelled-transmission": "ros_control skips it",
     "missing-limit": "urdfdom refuses it",
     "several-roots": "urdfdom refuses it",
     "sensor-on-merged-joint": "libsdformat drops the sensor once converted",
