@@ -11,7 +11,7 @@ from sdfcheck.robot.graph import Model
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 
-_ATTRIBUTE = re.compile(r"([\w:]+)\s*=\s*[\"']([^\"'<>]*)[\"']")
+_ATTRIBUTE = re.compile(r"(?<![\w:])([\w:]+)\s*=\s*[\"']([^\"'<>]*)[\"']")
 _PAIR = re.compile(r"\slink1\s*=\s*[\"']([^\"']*)[\"']\s+link2\s*=\s*[\"']([^\"']*)[\"']")
 _PARTNERS = {"link1": "link2", "link2": "link1"}
 _UNLIKELY = 3.0
@@ -101,8 +101,9 @@ def _joints(text: str, context: Context, offset: int, names: Sequence[str], tree
     if context.around[-1:] != ("group_state",) or start < 0:
         return scores
     group = dict(_ATTRIBUTE.findall(text[start : text.find(">", start)])).get("group", "")
-    found = re.search(rf"<group\s+name\s*=\s*[\"']{re.escape(group)}[\"']\s*>(.*?)</group>", text, re.DOTALL)
-    for name in re.findall(r"<joint\s+name\s*=\s*[\"']([^\"']*)[\"']", found[1]) if found else ():
+    opened = re.search(rf"<group\s+name\s*=\s*[\"']{re.escape(group)}[\"']\s*>", text)
+    inside = text[opened.end() : text.find("</group>", opened.end())] if opened else ""
+    for name in re.findall(r"<joint\s+name\s*=\s*[\"']([^\"']*)[\"']", inside):
         if name in scores:
             scores[name] = 1.5
     return scores

@@ -28,7 +28,7 @@ MOST_ROBOTS = 6
 
 _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
 _DECLARED = re.compile(
-    r"^ *urdf:\s*?\n\s*package: *([\w.-]+)\s*?\n\s*relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
+    r"^ *urdf:[ \r]*\n *package: *([\w.-]+)[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
 )
 _FEWEST = 0.5
 """A robot is not the one that is meant if it has fewer of the names."""
@@ -137,8 +137,15 @@ def _alike_first(semantics: Semantics, library: Library) -> Iterator[Path]:
 def _may_be(written: str, name: str) -> bool:
     """Is this the name of a robot, or may its expressions come to it?"""
     bounds = [0, *(place for match in matches(written) for place in match.span()), len(written)]
-    pieces = [written[start:end] for start, end in zip(bounds[::2], bounds[1::2], strict=True)]
-    return any(pieces) and re.fullmatch(".+".join(map(re.escape, pieces)), name) is not None
+    first, *others = (written[start:end] for start, end in zip(bounds[::2], bounds[1::2], strict=True))
+    if not others:
+        return written == name
+    *middle, last = others
+    at = len(first) if name.startswith(first) else -1
+    for piece in middle:
+        found = name.find(piece, at + 1) if at >= 0 else -1
+        at = found + len(piece) if found >= 0 else -1
+    return any((first, *others)) and 0 <= at < len(name) - len(last) and name.endswith(last)
 
 
 def _stem(path: Path) -> str:

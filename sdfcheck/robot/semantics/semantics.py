@@ -5,7 +5,7 @@ Source: srdfdom (ros2, noetic) and MoveIt's robot model.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.near_names import nearest
@@ -29,6 +29,8 @@ VIRTUAL_TYPES = ("fixed", "floating", "planar")
 ROOT_JOINT = "root_joint"
 """What Pinocchio calls the joint of a floating robot, which no URDF has."""
 
+_MOST_LINKS_OF_GROUPS = 10_000_000
+"""So many steps are worth it to know the links of all groups: PR2's take 5,000."""
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
@@ -91,30 +93,36 @@ class Semantics:
 
     @lazy
     def links_of(self) -> dict[str, frozenset[str]]:
-        """Name of a group → its links as MoveIt collects them: the children of its joints; empty where not certain."""
+        """Name of a group → its links as MoveIt collects them: children of its joints; empty if unsure or too many."""
         robot = self.robots[0] if len(self.robots) == 1 and not any(self.unknown) else None
         if robot is None or any(self.unknown_groups):
             return {}
         above = {joint.child_name: joint.parent_name for joint in robot.joints}
-        return {name: frozenset(self._links_of(name, robot, above, ())) for name in self.groups}
+        parts = sum(len(group.nodes) for group in self.groups.values())
+        if (len(self.groups) + parts) * (parts + len(above)) > _MOST_LINKS_OF_GROUPS:
+            return {}
+        own = {name: frozenset(_own_links(group, robot, above)) for name, group in self.groups.items()}
+        return {name: frozenset().union(*(own[each] for each in self._groups_in(name))) for name in own}
 
-    def _links_of(
-        self, group: str, robot: Model, above: dict[str, str], outer: tuple[str, ...]
-    ) -> Iterator[str]:
-        for part in self.groups[group].children():
-            name = part.attributes.get("name", "").strip()
-            if part.name == "link":
-                yield name
-            elif part.name == "joint" and name in robot.joints_by_name:
-                yield robot.joints_by_name[name].child_name
-            elif part.name == "joint":
-                yield from (link.name for link in robot.tree.roots)
-            elif part.name == "group" and name not in (*outer, group):
-                yield from self._links_of(name, robot, above, (*outer, group))
-            elif part.name == "chain":
-                ends = [part.attributes.get(end, "").strip() for end in ("tip_link", "base_link")]
-                ways = [list(_way_up(end, above)) for end in ends]
-                yield from set(ways[0]).symmetric_difference(ways[1])
+    def _groups_in(self, group: str) -> Iterator[str]:
+        """A group and those that it consists of, each once."""
+        waiting, seen = [group], {group}
+        while waiting:
+            name = waiting.pop()
+            yield name
+            inner = (each.attributes.get("name", "").strip() for each in self.groups[name].children("group"))
+            new = {each for each in inner if each in self.groups} - seen
+            waiting += new
+            seen |= new
+
+    @lazy
+    def groups_of(self) -> dict[str, set[str]]:
+        """Link → the groups that have it, where that is certain."""
+        found: dict[str, set[str]] = {}
+        for name, links in self.links_of.items():
+            for link in links:
+                found.setdefault(link, set()).add(name)
+        return found
 
     @property
     def detached_end_effectors(self) -> Iterator[tuple[Value, str]]:
@@ -123,7 +131,7 @@ class Semantics:
             own, parent, link = (
                 each.attributes.get(name, "").strip() for name in ("group", "parent_group", "parent_link")
             )
-            carriers = [name for name, links in self.links_of.items() if link in links and name != own]
+            carriers = self.groups_of.get(link, set()) - {own}
             value = each.attribute("parent_link")
             named = each.attribute("parent_group")
             if value is None or own not in self.links_of or any(map(is_expression, (own, parent, link))):
@@ -285,7 +293,22 @@ class Semantics:
         return joint if number < low - slack or number > high + slack else None
 
 
-def _way_up(link: str, above: dict[str, str]) -> Iterator[str]:
+def _own_links(group: Element, robot: Model, above: Mapping[str, str]) -> Iterator[str]:
+    """The links that a group has without its groups: those below its joints, and between the ends of its chains."""
+    for part in group.children():
+        name = part.attributes.get("name", "").strip()
+        if part.name == "link":
+            yield name
+        elif part.name == "joint" and name in robot.joints_by_name:
+            yield robot.joints_by_name[name].child_name
+        elif part.name == "joint":
+            yield from (link.name for link in robot.tree.roots)
+        elif part.name == "chain":
+            tip, base = (part.attributes.get(end, "").strip() for end in ("tip_link", "base_link"))
+            yield from set(_way_up(tip, above)).symmetric_difference(_way_up(base, above))
+
+
+def _way_up(link: str, above: Mapping[str, str]) -> Iterator[str]:
     """A link and those above it, up to the root."""
     seen = set()
     while link and link not in seen:

@@ -27,8 +27,8 @@ _SUFFIXES = ("launch", "launch.xml", "launch.py")
 _FILE_LIMIT = 500
 """So many launch files of each kind are read."""
 _INCLUDES_DEEP = 4
-_MOST_INCLUDED = 2_000
-"""So many times launch files of a project are read on behalf of those that include them."""
+_EFFORT = 5_000_000
+"""So many characters and names are looked at for all launch files of a project; the rest is not known."""
 _MOST = 8
 """So many sets of arguments of one file are kept."""
 _DEEPEST = 30
@@ -36,13 +36,10 @@ _LONGEST = 10_000
 """A text of a launch file with more characters is not known."""
 _LONGEST_VALUE = 1_000
 """The same for the default of an argument, of which a text may hold many."""
-_STEPS = 20_000
-"""So many expressions of one launch file are looked at."""
 
 _UNKNOWN = "\0"
 _VALUE = re.compile(r"=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_DECLARED = re.compile(r"<(?:arg|let)\b([^<>]*)>")
-_INCLUDE = re.compile(r"<include\b([^<>]*?)(?:/>|>(.*?)</include>)", re.DOTALL)
+_TAG = re.compile(r"<(/?)(arg|include|let)\b([^<>]*)>")
 _ATTRIBUTE = re.compile(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _REFERENCE = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
 _PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
@@ -80,44 +77,21 @@ class _Launch(Protocol):
         """The launch files that it includes."""
 
 
-class _Launches:
-    """The uses of xacro files in the launch files of a project, by the names of the files."""
+class _Surroundings:
+    """The packages of a project, and the effort that its launch files are worth."""
 
-    __slots__ = ("_left", "_packages", "uses")
+    __slots__ = ("_left", "_packages")
 
     def __init__(self, packages: Packages) -> None:
-        self.uses: dict[str, list[Mapping[str, str]]] = {}
         self._packages = packages
-        self._left = _MOST_INCLUDED
-        launches: dict[str, _Launch] = {}
-        for suffix in _SUFFIXES:
-            for path in packages.files(suffix, _FILE_LIMIT):
-                launch = self._read(path)
-                if launch is not None:
-                    launches.setdefault(path.name, launch)
-        for launch in launches.values():
-            for use in self._uses(launch, {}, launches, 0):
-                self.uses.setdefault(use.file, []).append(use.arguments)
+        self._left = _EFFORT
 
-    def _read(self, path: Path) -> _Launch | None:
-        try:
-            text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
-        except OSError:
-            return None
-        if path.suffix != ".py":
-            return _Xml(text, self._resolved, is_ros_1=path.suffix == ".launch")
-        return _Python.read(text, self._resolved)
+    def may_spend(self, effort: int) -> bool:
+        """Whether so many characters or names may still be looked at; each look counts as some."""
+        self._left -= effort + 10
+        return self._left > 0
 
-    def _uses(
-        self, launch: _Launch, given: Mapping[str, str], launches: Mapping[str, _Launch], depth: int
-    ) -> Iterator[_Use]:
-        yield from launch.uses(given)
-        for inner in launch.included(given) if depth < _INCLUDES_DEEP else ():
-            if inner.file in launches and self._left > 0:
-                self._left -= 1
-                yield from self._uses(launches[inner.file], inner.arguments, launches, depth + 1)
-
-    def _resolved(self, text: str) -> str:
+    def resolved(self, text: str) -> str:
         """A text with the folders of packages in it; what is not known is one character."""
 
         def folder(match: re.Match[str]) -> str:
@@ -125,6 +99,47 @@ class _Launches:
             return _UNKNOWN if found is None else str(found)
 
         return _OTHER.sub(_UNKNOWN, _PACKAGE.sub(folder, text))
+
+
+class _Launches:
+    """The uses of xacro files in the launch files of a project, by the names of the files."""
+
+    __slots__ = ("_around", "uses")
+
+    def __init__(self, packages: Packages) -> None:
+        self.uses: dict[str, list[Mapping[str, str]]] = {}
+        self._around = _Surroundings(packages)
+        by_name: dict[str, _Launch] = {}
+        launches: list[_Launch] = []
+        for suffix in _SUFFIXES:
+            for path in packages.files(suffix, _FILE_LIMIT):
+                launch = self._read(path)
+                if launch is not None:
+                    launches.append(launch)
+                    by_name.setdefault(path.name, launch)
+        for launch in launches:
+            for use in self._uses(launch, {}, by_name, 0):
+                self.uses.setdefault(use.file, []).append(use.arguments)
+
+    def _read(self, path: Path) -> _Launch | None:
+        try:
+            text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
+        except OSError:
+            return None
+        if "xacro" not in text and "nclude" not in text:
+            return None
+        if path.suffix != ".py":
+            return _Xml(text, self._around, is_ros_1=path.suffix == ".launch")
+        return _Python.read(text, self._around)
+
+    def _uses(
+        self, launch: _Launch, given: Mapping[str, str], by_name: Mapping[str, _Launch], depth: int
+    ) -> Iterator[_Use]:
+        yield from launch.uses(given)
+        # One that includes itself is asked again on the way.
+        for inner in tuple(launch.included(given)) if depth < _INCLUDES_DEEP else ():
+            if inner.file in by_name and self._around.may_spend(0):
+                yield from self._uses(by_name[inner.file], inner.arguments, by_name, depth + 1)
 
 
 def _of_command(command: str) -> Iterator[_Use]:
@@ -140,37 +155,47 @@ def _of_command(command: str) -> Iterator[_Use]:
 class _Xml:
     """A launch file in XML. In ROS 2 an included file knows all arguments, in ROS 1 those that it is given."""
 
-    __slots__ = ("_declared", "_includes", "_is_ros_1", "_resolved", "_values")
+    __slots__ = ("_around", "_commands", "_declared", "_includes", "_is_ros_1")
 
-    def __init__(self, text: str, resolved: Callable[[str], str], *, is_ros_1: bool) -> None:
-        self._resolved = resolved
+    def __init__(self, text: str, around: _Surroundings, *, is_ros_1: bool) -> None:
+        self._around = around
         self._is_ros_1 = is_ros_1
-        self._includes = [(_attributes(match[1]), match[2] or "") for match in _INCLUDE.finditer(text)]
-        own = _INCLUDE.sub("", text)
-        self._declared = [_attributes(match[1]) for match in _DECLARED.finditer(own)]
-        commands = (unescape(double or single) for double, single in _VALUE.findall(own))
-        self._values = [command for command in commands if "xacro" in command]
+        self._declared: list[dict[str, str]] = []
+        self._includes: list[tuple[dict[str, str], list[dict[str, str]]]] = []
+        """The attributes of each include, and of the arguments in it."""
+        outer = declared = self._declared
+        for end, name, inside in _TAG.findall(text):
+            if name == "include":
+                declared = outer
+                if not end:
+                    self._includes.append((_attributes(inside), []))
+                    declared = outer if inside.endswith("/") else self._includes[-1][1]
+            elif not end:
+                declared.append(_attributes(inside))
+        values = (unescape(double or single) for double, single in _VALUE.findall(text))
+        self._commands = [value for value in values if "xacro" in value]
 
     def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
-        for command in self._values:
+        for command in self._commands:
             yield from _of_command(self._text(command, values))
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
-        for attributes, content in self._includes:
+        for attributes, arguments in self._includes:
+            if not self._around.may_spend(len(values)):
+                break
             file = self._text(attributes.get("file", ""), values).rpartition("/")[2]
             has_all = not self._is_ros_1 or attributes.get("pass_all_args") == "true"
             passed = dict(values) if has_all else {}
-            for match in _DECLARED.finditer(content):
-                one = _attributes(match[1])
+            for one in arguments:
                 if "name" in one and "value" in one:
                     passed[one["name"]] = self._text(one["value"], values)
             yield _Use(file, {name: value for name, value in passed.items() if _UNKNOWN not in value})
 
     def _arguments(self, given: Mapping[str, str]) -> dict[str, str]:
         found = dict(given)
-        for one in self._declared:
+        for one in self._declared if self._around.may_spend(len(given) + len(self._declared)) else ():
             name, value = one.get("name"), one.get("value", one.get("default"))
             if name is not None and value is not None and ("value" in one or name not in given):
                 found[name] = value if len(value) <= _LONGEST_VALUE else _UNKNOWN
@@ -178,12 +203,12 @@ class _Xml:
 
     def _text(self, text: str, values: Mapping[str, str]) -> str:
         for _ in range(_DEEPEST):
-            if len(text) > _LONGEST:
+            if len(text) > _LONGEST or not self._around.may_spend(len(text)):
                 return _UNKNOWN
             text, changed = _REFERENCE.subn(lambda match: values.get(match[1], _UNKNOWN), text)
             if not changed:
                 break
-        return self._resolved(text)
+        return self._around.resolved(text)
 
 
 def _attributes(text: str) -> dict[str, str]:
@@ -210,11 +235,10 @@ _WRAPPERS = frozenset(
 class _Python:
     """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    __slots__ = ("_calls", "_defaults", "_given", "_resolved", "_steps", "_values")
+    __slots__ = ("_around", "_calls", "_defaults", "_given", "_values")
 
-    def __init__(self, tree: ast.AST, resolved: Callable[[str], str]) -> None:
-        self._resolved = resolved
-        self._steps = _STEPS
+    def __init__(self, tree: ast.AST, around: _Surroundings) -> None:
+        self._around = around
         self._given: Mapping[str, str] = {}
         self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         self._values: dict[str, ast.expr] = {}
@@ -234,10 +258,10 @@ class _Python:
                     self._defaults.setdefault(str(name.value), named["default_value"])
 
     @classmethod
-    def read(cls, text: str, resolved: Callable[[str], str]) -> _Python | None:
+    def read(cls, text: str, around: _Surroundings) -> _Python | None:
         """The launch file of a text, None if it cannot be read."""
         try:
-            return cls(syntax_tree(text, "exec"), resolved)
+            return cls(syntax_tree(text, "exec"), around)
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             return None
 
@@ -246,7 +270,7 @@ class _Python:
         for call in self._calls:
             name = _called(call)
             if name == "Command" and call.args:
-                yield from _of_command(self._resolved(self._text(call.args[0])))
+                yield from _of_command(self._around.resolved(self._text(call.args[0])))
             elif name in {"process_file", "process"} and call.args:
                 mappings = next((each.value for each in call.keywords if each.arg == "mappings"), None)
                 if mappings is not None:
@@ -257,7 +281,9 @@ class _Python:
         for call in self._calls:
             if _called(call) == "IncludeLaunchDescription" and call.args:
                 passed = next((each.value for each in call.keywords if each.arg == "launch_arguments"), None)
-                known = {name: self._resolved(self._text(value)) for name, value in self._defaults.items()}
+                known = {
+                    name: self._around.resolved(self._text(value)) for name, value in self._defaults.items()
+                }
                 yield from self._of_pairs(call.args[0], passed or ast.Dict([], []), {**known, **given})
 
     def _of_pairs(self, file: ast.expr, pairs: ast.expr, known: Mapping[str, str]) -> Iterator[_Use]:
@@ -271,17 +297,19 @@ class _Python:
             pairs = pairs.func.value
         if isinstance(pairs, ast.Name):
             pairs = self._values.get(pairs.id, pairs)
-        if name and _UNKNOWN not in name and isinstance(pairs, ast.Dict):
+        is_known = name and _UNKNOWN not in name and self._around.may_spend(len(known))
+        if is_known and isinstance(pairs, ast.Dict):
             both = zip(pairs.keys, pairs.values, strict=True)
             texts = {
-                self._text(key): self._resolved(self._text(value)) for key, value in both if key is not None
+                self._text(key): self._around.resolved(self._text(value))
+                for key, value in both
+                if key is not None
             }
             yield _Use(name, {k: v for k, v in {**known, **texts}.items() if _UNKNOWN not in k + v})
 
     def _text(self, node: ast.expr, depth: int = 0) -> str:
         """The text that an expression or substitution gives; unknown parts are one character."""
-        self._steps -= 1
-        if depth > _DEEPEST or self._steps < 0:
+        if depth > _DEEPEST or not self._around.may_spend(0):
             return _UNKNOWN
 
         def inner(node: ast.expr) -> str:
@@ -302,7 +330,7 @@ class _Python:
             found = inner(node.value)
         elif isinstance(node, ast.Call):
             found = self._of_call(node, inner)
-        return found if len(found) <= _LONGEST else _UNKNOWN
+        return found if len(found) <= _LONGEST and self._around.may_spend(len(found)) else _UNKNOWN
 
     def _of_call(self, call: ast.Call, inner: Callable[[ast.expr], str]) -> str:
         name = _called(call)

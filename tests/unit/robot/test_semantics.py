@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.robot.semantics.robots import descriptions_of
+from sdfcheck.robot.semantics.robots import _may_be, descriptions_of
 from sdfcheck.robot.semantics.semantics import semantics_in
 from sdfcheck.source.sniff import Kind
 
@@ -104,3 +105,49 @@ def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path)
     assert found(package, outside, robot="my_arm") == [("SRD006", "1.5")]
     assert found(package, outside, name="hand.srdf", robot="my_arm") == []
     assert found(package, outside + '<passive_joint name="knee"/>', robot="my_arm") == []
+
+
+_TWICE = "".join(
+    f'<group name="g{n}"><group name="g{n + 1}"/><group name="g{n + 1}"/></group>' for n in range(30)
+)
+_CHAIN = "".join(f'<group name="g{n}"><group name="g{n + 1}"/></group>' for n in range(10_000))
+_END = '<end_effector name="e" group="g0" parent_group="g0" parent_link="upper"/>'
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "expected"),
+    [
+        (_TWICE + '<group name="g30"><link name="upper"/></group>' + _END, "arm", ["SRD009"]),
+        (_CHAIN + '<group name="g10000"><link name="upper"/></group>' + _END, "arm", []),
+        (ARM, "${a}".join("a" * 40), []),
+    ],
+    ids=["twice", "too many", "name"],
+)
+def test_groups_and_names_do_not_take_long(package: Path, text: str, name: str, expected: list[str]) -> None:
+    (package / "other.urdf").write_text(ROBOT.format("").replace('name="arm"', f'name="{"a" * 100}b"'))
+    (package / ".setup_assistant").write_text("urdf:\n" * 3 + "\n" * 100_000)
+    begin = time.process_time()
+    assert [code for code, _ in found(package, text, robot=name)] == expected
+    assert time.process_time() - begin < 5
+
+
+@pytest.mark.parametrize(
+    ("written", "name", "may_be"),
+    [
+        ("arm", "arm", True),
+        ("arm", "arms", False),
+        ("${a}", "arm", False),
+        ("${a}_arm", "left_arm", True),
+        ("${a}_arm", "_arm", False),
+        ("arm_${a}", "arm_left", True),
+        ("arm_${a}", "arm_", False),
+        ("${a}_arm_${b}", "left_arm_2", True),
+        ("${a}_arm_${b}", "_arm_2", False),
+        ("${a}_arm_${b}", "left_arm_", False),
+        ("the_${a}x${b}_arm", "the_xxx_arm", True),
+        ("the_${a}x${b}_arm", "the_xx_arm", False),
+        ("${a}_a", "_a_a", True),
+    ],
+)
+def test_a_name_with_expressions_may_be_another(written: str, name: str, *, may_be: bool) -> None:
+    assert _may_be(written, name) is may_be

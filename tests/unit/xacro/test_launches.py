@@ -198,6 +198,23 @@ def test_without_a_value_the_argument_is_missing(
     assert all("[XAC001]" in other for other in others)
 
 
+def test_two_launch_files_of_one_name(package: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for folder, text in (("launch", "<launch/>"), ("other", ROS_1)):
+        (package / folder).mkdir(exist_ok=True)
+        (package / folder / "bot.launch").write_text(text)
+    assert "no joint ties link `gripper`" in found(capsys)[0]
+
+
+def test_arguments_of_an_include_are_not_those_of_the_file(
+    package: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    include = '<include file="other.launch"><arg name="s" value="right"/></include>'
+    (package / "launch" / "bot.launch").write_text(
+        ROS_1.replace('<arg name="s" default="right"/>', f"{include}<include file='x'/>")
+    )
+    assert "argument `side` has no value" in found(capsys)[0]
+
+
 _LAUGHS = "".join(f'<arg name="a{n}" default="{f"$(arg a{n + 1})" * 60}"/>' for n in range(20))
 BOMBS = {
     "references.launch": f'<launch>{_LAUGHS}<param command="xacro bot.urdf.xacro side:=$(arg a0)"/></launch>',
@@ -205,6 +222,18 @@ BOMBS = {
     "sums.launch.py": "\n".join(f"a{n} = [a{n + 1}, a{n + 1}, a{n + 1}, a{n + 1}]" for n in range(28))
     + "\na28 = 'x'\nCommand(['xacro bot.urdf.xacro side:=', a0])\n",
     "long.launch.py": "# xacro\nx" + ".a" * 200_000,
+    "open.launch": "<launch>" + "<include>" * 100_000,
+    "quotes.launch": "<launch>xacro" + "<include file='<arg name=" * 40_000,
+    "self.launch": "<launch>"
+    + "<include file='self.launch' pass_all_args='true'/>" * 100
+    + "<param command='xacro cart.urdf.xacro side:=$(arg a)'/>" * 2_000
+    + "</launch>",
+    "names.launch": "<launch>"
+    + "".join(f"<arg name='a{n}' default='{n}'/>" for n in range(10_000))
+    + "<include file='names.launch' pass_all_args='true'/>" * 5_000
+    + "</launch>",
+    "names.launch.py": "".join(f"DeclareLaunchArgument('a{n}', default_value='{n}')\n" for n in range(5_000))
+    + "IncludeLaunchDescription('names.launch.py', launch_arguments={'a': 'b'})\n" * 1_000,
 }
 
 
