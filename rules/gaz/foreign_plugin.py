@@ -1,3 +1,4 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Plugin, Root, Rule, Severity, used
@@ -6,6 +7,9 @@ NEWEST = "the new Gazebo"
 ROS = ("Gazebo Classic with ROS 1", "Gazebo Classic with ROS 2")
 ORDER = {"classic": "Gazebo Classic", "ros1": ROS[0], "ros2": ROS[1], "gz": NEWEST}
 """Generation of a plugin → its home, from the oldest to the newest."""
+_AROUND = re.compile(
+    r"^/?(?:lib)?(?:gazebo_ros_|gazebo_|gz-sim-|ignition-gazebo-)|(?:[-_](?:system|plugin))?(?:\.so)?$"
+)
 NEW = (
     '<gazebo><plugin filename="gz-sim-joint-state-publisher-system"'
     ' name="gz::sim::systems::JointStatePublisher"/></gazebo>'
@@ -59,6 +63,11 @@ class ForeignPlugin(Rule):
     good = (
         Good(ROS2 + SENSOR.format("libgazebo_ros_camera.so")),
         Good(
+            '<gazebo><plugin filename="libgazebo_ros_diff_drive.so" name="old"/>'
+            '<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"/></gazebo>',
+            why="its successor is beside it: the robot is for both simulators",
+        ),
+        Good(
             ROS2 + SENSOR.format("libgazebo_ros_depth_camera_of_mine.so"),
             why="nobody knows for whom it was built",
         ),
@@ -87,10 +96,17 @@ def foreign(root: Root) -> list[tuple[Plugin, str, Plugin, str, int]]:
     there = next((home for home in reversed(ORDER.values()) if home in found), "")
     if there not in (ROS[1], NEWEST):
         return []
-    newest = next(iter(found.pop(there).values()))[0]
+    new = found.pop(there)
+    newest = next(iter(new.values()))[0]
+    jobs = set(map(job, new))
     return [
         (plugins[0], where, newest, there, len(plugins))
         for where, files in found.items()
-        for plugins in files.values()
-        if where in ROS or there == NEWEST
+        for file, plugins in files.items()
+        if (where in ROS or there == NEWEST) and job(file) not in jobs
     ]
+
+
+def job(filename: str) -> str:
+    """The job of a plugin, by the name of its library: ``diff-drive``."""
+    return _AROUND.sub("", filename).replace("_", "-")

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
-from math import acos, cos, degrees, dist, hypot, radians
+from math import acos, cos, degrees, dist, radians
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Rule, Severity, Shape
 
 MOST = cos(radians(10))
 """Of 329 wheels in public robots four are turned farther, all of one robot, and by mistake."""
@@ -11,6 +11,12 @@ WHEEL = (
     '<robot name="r"><link name="base"/><link name="wheel"><collision><origin rpy="{}"/><geometry>'
     '<cylinder radius="0.1" length="{}"/></geometry></collision></link><joint name="j" type="continuous">'
     '<parent link="base"/><child link="wheel"/><axis xyz="{}"/></joint></robot>'
+)
+OLD_WHEEL = (
+    '<sdf version="1.4"><model name="m"><link name="base"/><link name="wheel"><pose>0 0 0 1.5708 0 0</pose>'
+    '<collision name="c"><geometry><cylinder><radius>0.1</radius><length>0.04</length></cylinder></geometry>'
+    '</collision></link><joint name="j" type="revolute"><parent>base</parent><child>wheel</child>'
+    "<axis><xyz>0 1 0</xyz></axis></joint></model></sdf>"
 )
 
 
@@ -41,6 +47,7 @@ class WheelAcrossAxis(Rule):
     good = (
         Good(WHEEL.format("1.5708 0 0", "0.04", "0 1 0")),
         Good(WHEEL.format("0 0 0", "0.4", "0 1 0"), why="longer than wide: no wheel"),
+        Good(OLD_WHEEL, why="up to 1.4 the axis is in the model's frame, and the wheel is turned in it"),
     )
 
     @staticmethod
@@ -54,34 +61,37 @@ class WheelAcrossAxis(Rule):
         off = degrees(acos(min(1.0, alignment(joint))))
         yield self.diagnostic(
             joint.axis.xyz if joint.axis.xyz.is_given else joint,
-            f"wheel `{link.name}` is a cylinder that stands {off:.0f}° off the axis of {joint.title}",
-            labels={(link.collisions or link.visuals)[0]: "the cylinder, which is along its z axis"},
+            f"{_noun(link)} `{link.name}` is a cylinder that stands {off:.0f}° off the axis of {joint.title}",
+            labels={shapes_of(link)[0]: "the cylinder, which is along its z axis"},
         )
 
 
 def alignment(joint: Joint) -> float:
     """The cosine of the angle between the axis of a joint and the wheel that it turns; -1 where there is no wheel."""
     link = joint.child_link if joint.type in {"continuous", "revolute"} else None
-    shapes = (link.collisions or link.visuals) if link is not None else ()
+    shapes = shapes_of(link) if link is not None else ()
     if len(shapes) != 1 or shapes[0].geometry.shape != "cylinder":
         return -1.0
     own = joint.find("pose")
-    if joint.axis.expressed_in or not is_endless(joint) or (own is not None and own.content):
+    if not is_endless(joint) or (own is not None and own.content):
         return -1.0
-    geometry, axis = shapes[0].geometry, joint.axis.xyz
+    geometry, axis, frame = shapes[0].geometry, joint.direction, joint.at_rest
     radius, length = float(geometry.radius), float(geometry.length)
     if geometry.solid is None or not radius >= SMALLEST or not length < 2 * radius:
         return -1.0
     way, place = shapes[0].along, shapes[0].position
-    if (
-        way is None
-        or place is None
-        or dist(place, (0, 0, 0)) > 0.6 * radius
-        or not hypot(*axis) > 0
-        or len(axis) != 3
-    ):
+    if way is None or place is None or dist(place, (0, 0, 0)) > 0.6 * radius or axis is None or frame is None:
         return -1.0
-    return abs(sum(one * other for one, other in zip(way, axis, strict=True))) / hypot(*axis)
+    return abs(sum(one * other for one, other in zip(frame.turned(way), axis, strict=True)))
+
+
+def shapes_of(link: Link) -> tuple[Shape, ...]:
+    """The shapes that touch the ground; of what is a wheel by its name also those that only show it."""
+    return link.collisions or (link.visuals if _noun(link) == "wheel" else ())
+
+
+def _noun(link: Link) -> str:
+    return "wheel" if "wheel" in link.name.lower() else "link"
 
 
 def is_endless(joint: Joint) -> bool:

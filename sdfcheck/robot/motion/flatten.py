@@ -8,8 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.version import Version
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Node
 from sdfcheck.robot.motion import mechanism
@@ -20,7 +18,7 @@ from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.joint import Axis, Joint
 from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.values import Number, is_true
+from sdfcheck.robot.values import Number
 from sdfcheck.source.document import Element
 
 # Joints that only one simulator knows: ``drake:joint``.
@@ -75,7 +73,6 @@ def as_vendors_have_it(made: mechanism.Joint, joint: Joint) -> mechanism.Joint:
 # Makes one mechanism of a model: nested and included models become names such as ``arm::hand``.
 
 
-_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 _WITH_FILES = frozenset(("mesh", "heightmap", "image"))
 
 
@@ -238,15 +235,10 @@ def direction_of(axis: Axis) -> Array:
     direction /= length
     poses = joint.root.poses
     here = poses.in_scope(joint)[:3, :3]
-    version = survey(axis.document).version
-    if axis.expressed_in:
-        frame = poses.named(joint.scope, axis.expressed_in)[:3, :3]
-        return np.asarray(here.T @ frame @ direction)
-    if version < _SEVEN:
-        flag = axis.find("use_parent_model_frame")
-        in_model = version < _FIVE or (flag is not None and is_true(flag.content))
-        return here.T @ direction if in_model else direction
-    return direction
+    if not axis.expressed_in:
+        return direction
+    frame = poses.named(joint.scope, axis.expressed_in)[:3, :3]
+    return np.asarray(here.T @ frame @ direction)
 
 
 def _require(number: Number) -> float:

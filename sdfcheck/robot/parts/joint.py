@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, cast
 
+from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.version import Version
 from sdfcheck.robot.graph import Node, Part
-from sdfcheck.robot.values import Number, Vector, lazy, number
+from sdfcheck.robot.reserved import MODEL_FRAME
+from sdfcheck.robot.values import Number, Vector, is_true, lazy, number
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model
@@ -22,6 +25,7 @@ if TYPE_CHECKING:
 
 ENDLESS = 1e15
 """Limits from here on mean none: before 1.10 the format writes 1e16 for infinity."""
+_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
 
 class _AxisPart(Part):
@@ -74,9 +78,16 @@ class Axis(Part):
 
     @property
     def expressed_in(self) -> str:
-        """The name of the frame in which the direction is written; empty: that of the joint."""
+        """The name of the frame in which the direction is written; empty: that of the joint.
+
+        Up to 1.4, and in 1.5 and 1.6 with ``use_parent_model_frame``, it is that of the model. Source: libsdformat 17.
+        """
         xyz = self.find("xyz") if not self.is_urdf else None
-        return xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
+        written = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
+        if written or self.is_urdf or (version := survey(self.document).version) >= _SEVEN:
+            return written
+        flag = self.find("use_parent_model_frame")
+        return MODEL_FRAME if version < _FIVE or (flag is not None and is_true(flag.content)) else ""
 
     @property
     def _owner(self) -> Part:
@@ -456,10 +467,13 @@ class Joint(Node):
         """The direction of its first axis in its model, of length 1, with all joints at zero; None if not known."""
         xyz = self.axis.xyz
         length = math.hypot(*xyz)
-        if self.at_rest is None or len(xyz) != 3 or not 0 < length < math.inf or self.axis.expressed_in:
+        frame = self.axis.expressed_in
+        if len(xyz) != 3 or not 0 < length < math.inf or frame not in {"", MODEL_FRAME}:
             return None
         x, y, z = (number / length for number in xyz)
-        return self.at_rest.turned((x, y, z))
+        if frame:
+            return (x, y, z)
+        return None if self.at_rest is None else self.at_rest.turned((x, y, z))
 
     screw_thread_pitch = number("screw_thread_pitch", 1.0, "Of a screw: m of travel per turn.")
     thread_pitch = number(
