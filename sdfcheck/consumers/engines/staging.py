@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from sdfcheck.consumers.engines import Question
 from sdfcheck.files.library import library_of
+from sdfcheck.files.regular import read_regular
+from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
-_PACKAGE = re.compile(r"(?:package|model)://([^/\s\"'<>]+)")
+_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)")
+_MOST = 1_000
+"""So many packages are looked for."""
+_LONGEST = 1_000_000
+"""Longer texts of models are not read for others that they include (bytes)."""
 
 
 class Stage:
@@ -39,8 +46,11 @@ class Stage:
             path = self.write(text, path.stem.partition(".")[0] + suffix)
         library = library_of(document)
         models = [] if library is None else [str(one) for one in library.model_folders]
-        folders = tuple(packages_in(text, document).items())
-        return Question(path, action, settings or {}, folders, tuple(models))
+        packages = packages_in(text, document)
+        beside = (str(Path(folder).parent) for name, folder in packages.items() if Path(folder).name == name)
+        return Question(
+            path, action, settings or {}, tuple(packages.items()), tuple(dict.fromkeys((*models, *beside)))
+        )
 
     def write(self, text: str, name: str) -> Path:
         """A text as a file of its own."""
@@ -52,16 +62,29 @@ class Stage:
 
 
 def packages_in(text: str, document: Document) -> dict[str, str]:
-    """The packages that URIs in a text name, and where they are, as far as they are found."""
-    return dict(_found(sorted(set(_PACKAGE.findall(text))), document))
+    """The packages and models that URIs in a text and in those models name, and where they are, if they are found."""
+    found: dict[str, str] = {}
+    waiting = [text]
+    while waiting:
+        for scheme, name in sorted(set(_PACKAGE.findall(waiting.pop()))):
+            folder = _folder_of(scheme, name, document) if name not in found else None
+            if folder is not None and len(found) < _MOST:
+                found[name] = str(folder)
+                waiting += _texts_in(folder) if scheme == "model" else ()
+    return found
 
 
-def _found(names: Iterable[str], document: Document) -> Iterable[tuple[str, str]]:
+def _folder_of(scheme: str, name: str, document: Document) -> Path | None:
     library = library_of(document)
-    for name in names:
-        folder = None if library is None else library.packages(document.path).find(name)
-        if folder is not None:
-            yield name, str(folder)
+    found = locate(document, f"{scheme}://{name}").owner
+    return found if found is not None or library is None else library.packages(document.path).find(name)
+
+
+def _texts_in(folder: Path) -> Iterator[str]:
+    """The texts of the model that is in a folder."""
+    for file in sorted(folder.glob("*.sdf")):
+        with suppress(OSError):
+            yield read_regular(file, _LONGEST).decode("utf-8", "replace")
 
 
 def _is_text_of(path: Path, text: str) -> bool:

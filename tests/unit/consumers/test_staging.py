@@ -1,0 +1,42 @@
+"""Questions to engines: the packages and models that a description names, by the ways in which they are found here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sdfcheck.consumers.engines.staging import Stage
+from sdfcheck.files.library import Library
+from sdfcheck.source.sniff import Kind
+
+WORLD = '<sdf version="1.9"><world name="w"><include><uri>model://cart</uri></include></world></sdf>'
+CART = '<sdf version="1.9"><model name="cart"><include><uri>model://wheel</uri></include></model></sdf>'
+WHEEL = '<sdf version="1.9"><model name="wheel"><link name="l"/></model></sdf>'
+
+
+def test_models_beside_the_world_and_those_that_they_include(tmp_path: Path) -> None:
+    world = tmp_path / "worlds" / "w.sdf"
+    for file, text in {
+        world: WORLD,
+        tmp_path / "models" / "cart" / "model.sdf": CART,
+        tmp_path / "models" / "wheel" / "model.sdf": WHEEL,
+    }.items():
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    with Stage() as stage:
+        question = stage.question(Library().document(world, Kind.SDF))
+    assert question.path == world
+    assert dict(question.packages) == {name: str(tmp_path / "models" / name) for name in ("cart", "wheel")}
+    assert question.model_paths == (str(tmp_path / "models"),)
+
+
+def test_a_package_of_ros(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    robot = tmp_path / "urdf" / "arm.urdf"
+    robot.parent.mkdir()
+    robot.write_text(
+        '<robot name="r"><link name="l"><visual><geometry><mesh filename="package://arm/m.stl"/></geometry></visual>'
+        "</link></robot>"
+    )
+    with Stage() as stage:
+        question = stage.question(Library().document(robot, Kind.URDF))
+    assert dict(question.packages) == {"arm": str(tmp_path)}
