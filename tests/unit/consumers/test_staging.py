@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from sdfcheck.consumers.engines import Question
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.files.library import Library
 from sdfcheck.source.sniff import Kind
@@ -11,6 +12,13 @@ from sdfcheck.source.sniff import Kind
 WORLD = '<sdf version="1.9"><world name="w"><include><uri>model://cart</uri></include></world></sdf>'
 CART = '<sdf version="1.9"><model name="cart"><include><uri>model://wheel</uri></include></model></sdf>'
 WHEEL = '<sdf version="1.9"><model name="wheel"><link name="l"/></model></sdf>'
+
+
+def asked(path: Path, kind: Kind) -> Question:
+    document = Library().document(path, kind)
+    assert document is not None
+    with Stage() as stage:
+        return stage.question(document)
 
 
 def test_models_beside_the_world_and_those_that_they_include(tmp_path: Path) -> None:
@@ -22,8 +30,7 @@ def test_models_beside_the_world_and_those_that_they_include(tmp_path: Path) -> 
     }.items():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
-    with Stage() as stage:
-        question = stage.question(Library().document(world, Kind.SDF))
+    question = asked(world, Kind.SDF)
     assert question.path == world
     assert dict(question.packages) == {name: str(tmp_path / "models" / name) for name in ("cart", "wheel")}
     assert question.model_paths == (str(tmp_path / "models"),)
@@ -37,6 +44,5 @@ def test_a_package_of_ros(tmp_path: Path) -> None:
         '<robot name="r"><link name="l"><visual><geometry><mesh filename="package://arm/m.stl"/></geometry></visual>'
         "</link></robot>"
     )
-    with Stage() as stage:
-        question = stage.question(Library().document(robot, Kind.URDF))
+    question = asked(robot, Kind.URDF)
     assert dict(question.packages) == {"arm": str(tmp_path)}
