@@ -9,7 +9,7 @@ from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.near_names import guess, nearest
-from sdfcheck.source.document import Document, Element
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
@@ -399,7 +399,17 @@ def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Pro
     for macro in reading(document).macros:
         for parameter in macro.parameters:
             if not _is_read(parameter.name.lstrip("*"), macro, visible, set()):
-                yield UnusedMacroParameter(parameter_place(macro, parameter), parameter.name, macro.name)
+                span, literal = parameter_place(macro, parameter), _literal_of(parameter.name, macro)
+                yield UnusedMacroParameter(span, parameter.name, macro.name, literal)
+
+
+def _literal_of(name: str, macro: Macro) -> Value | None:
+    """The fixed text of an element in a macro's body that has the name of a parameter, but for case and underscores."""
+    plain = name.replace("_", "").lower()
+    for element in macro.element.below:
+        if element.name.replace("_", "").lower() == plain and element.content and is_literal(element.content):
+            return element.own_value
+    return None
 
 
 def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:
