@@ -90,7 +90,7 @@ if TYPE_CHECKING:
         Ros2Control,
         Transmission,
     )
-    from sdfcheck.robot.parts.files import Include, Resource
+    from sdfcheck.robot.parts.files import Include, Pieces, Resource
     from sdfcheck.robot.parts.gazebo import GazeboBlock
     from sdfcheck.robot.parts.joint import Axis, Dynamics, Joint, Limit, Mimic
     from sdfcheck.robot.parts.link import Inertial, Link
@@ -144,7 +144,7 @@ _HOMES = {
     ),
     "sdfcheck.robot.parts.joint": "Axis Dynamics Limit Mimic Joint",
     "sdfcheck.robot.parts.gazebo": "GazeboBlock",
-    "sdfcheck.robot.parts.files": "Include Resource",
+    "sdfcheck.robot.parts.files": "Include Pieces Resource",
     "sdfcheck.robot.parts.link": "Inertial Link",
     "sdfcheck.robot.parts.sensor": "Light Contact Sensor",
     "sdfcheck.robot.parts.shape": "Material Collision Geometry Shape Surface Visual",
@@ -233,6 +233,7 @@ __all__ = [
     "Origin",
     "Part",
     "Physics",
+    "Pieces",
     "Placement",
     "Plugin",
     "Pose",

@@ -72,6 +72,7 @@ class CrashesDrake(Rule):
             '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="«m»"/></transmission>',
             says="actuator `m` for a second time: Drake refuses the file",
             scaffold=ROBOT,
+            also=("URD030",),
         ),
         Bad(
             '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>'

@@ -91,13 +91,21 @@ class IgnitionName(Rule):
             '<plugin filename="own-system" name="my::ignition::Spark"/>',
             why="the ignition of one's own engine",
         ),
+        Good(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="ignition" default="false"/>'
+            '<xacro:if value="$(arg ignition)"><gazebo><plugin filename="ignition-gazebo-imu-system" name="imu"/>'
+            '</gazebo></xacro:if><link name="base"/></robot>',
+            why="only where somebody asks for Ignition",
+            file="robot.xacro",
+            scaffold="{}",
+        ),
     )
 
     @staticmethod
     def applies(part: Plugin | Root) -> bool:
         if isinstance(part, Root):
             return PREFIX in part.document.source.text and any(map(is_prefixed, all_elements(part)))
-        return is_of_ignition(part) or part.has(GUI)
+        return (is_of_ignition(part) or part.has(GUI)) and not is_for_ignition(part)
 
     def check(self, part: Plugin | Root) -> Iterator[Diagnostic]:
         if isinstance(part, Root):
@@ -137,6 +145,14 @@ def all_elements(root: Root) -> Iterator[Element]:
     """The root element and all in it."""
     yield root.element
     yield from root.all_elements()
+
+
+def is_for_ignition(plugin: Plugin) -> bool:
+    """Does xacro write it where a condition asks for Ignition?"""
+    return any(
+        each.name == "xacro:if" and "ign" in each.attributes.get("value", "").lower()
+        for each in plugin.element.around
+    )
 
 
 def is_prefixed(element: Element) -> bool:

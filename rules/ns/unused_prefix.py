@@ -7,7 +7,8 @@ from sdfcheck_rules.ns.soundness import is_sound
 class UnusedPrefix(Rule):
     """A prefix is declared and not used.
 
-    It does no harm, but says that the file holds something that it does not.
+    It does no harm, but says that the file holds something that it does not. In SDFormat a prefix of xacro is a
+    warning: nobody expands the file, and libsdformat before version 9 warns of the attribute, which it does not know.
     """
 
     code = "NS007"
@@ -28,6 +29,10 @@ class UnusedPrefix(Rule):
         Bad(
             '<robot name="r" «xmlns:xacro»="http://www.ros.org/wiki/xacro"><link name="l"/></robot>',
             fixed='<robot name="r"><link name="l"/></robot>',
+        ),
+        Bad(
+            '<sdf version="1.6" «xmlns:xacro»="http://www.ros.org/wiki/xacro"><world name="w"/></sdf>',
+            fixed='<sdf version="1.6"><world name="w"/></sdf>',
         ),
         Bad(
             '<robot name="r" «xmlns:controller»="https://example.org/c" xmlns:sensor="https://example.org/s"'
@@ -63,7 +68,15 @@ class UnusedPrefix(Rule):
             what, title = f"prefix {prefixes} is", "remove the declaration"
         else:
             what, title = f"prefixes {prefixes} are", "remove the declarations"
-        yield self.diagnostic(declaration, f"{what} declared and not used", fix=make_fix(title, removed))
+        is_foreign = declaration.document.kind.value == "sdf" and any(
+            each.prefix == "xacro" for each in unused
+        )
+        yield self.diagnostic(
+            declaration,
+            f"{what} declared and not used",
+            severity=Severity.WARNING if is_foreign else self.severity,
+            fix=make_fix(title, removed),
+        )
 
 
 def _unused(declaration: PrefixDeclaration) -> list[PrefixDeclaration]:

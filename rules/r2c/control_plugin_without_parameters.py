@@ -44,7 +44,9 @@ class ControlPluginWithoutParameters(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return plugin.filename in NEEDY and not any(each.content for each in plugin.children("parameters"))
+        if plugin.filename not in NEEDY or plugin.is_template:
+            return False
+        return not any(each.content for each in plugin.children("parameters"))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         yield self.diagnostic(plugin, f"{plugin.title} needs `<parameters>`, the file with its controllers")

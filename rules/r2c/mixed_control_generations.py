@@ -10,6 +10,7 @@ SYSTEMS = {
     "ign_ros2_control-system": ("ign_ros2_control/IgnitionSystem",),
 }
 """Library of Gazebo's plugin → the hardware of the simulator that it can load."""
+SIMULATED = f">\\s*(?:{'|'.join(sorted({each for group in SYSTEMS.values() for each in group}))})\\s*<"
 MOCKS = ("fake_components/GenericSystem", "mock_components/GenericSystem")
 ROBOT = (
     '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
@@ -24,7 +25,8 @@ class MixedControlGenerations(Rule):
     `gazebo_ros2_control` is for Gazebo Classic, `ign_ros2_control` for Fortress with ROS 2 Humble, `gz_ros2_control`
     for what came after. Each loads its own hardware only, but that `gz_ros2_control` knows the old name of its own. The
     block is ignored with an error, and no joint of it moves. The same holds for `mock_components/GenericSystem`, which
-    moves nothing and is for a robot without simulator.
+    moves nothing and is for a robot without simulator; a file for xacro that has a simulator's hardware, too, chooses
+    by an argument.
     """
 
     code = "R2C034"
@@ -66,6 +68,20 @@ class MixedControlGenerations(Rule):
             "<plugin>mock_components/GenericSystem</plugin></hardware></ros2_control>",
             why="part of the robot is made up",
         ),
+        Good(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="mode" default="mock"/>'
+            '<link name="base"/>'
+            + ROBOT.replace(
+                "<plugin>{}</plugin>",
+                """<xacro:if value="${'$(arg mode)' == 'mock'}"><plugin>mock_components/GenericSystem</plugin>"""
+                """</xacro:if><xacro:if value="${'$(arg mode)' == 'gz'}"><plugin>gz_ros2_control/GazeboSimSystem"""
+                "</plugin></xacro:if>",
+            )
+            + "</robot>",
+            why="an argument chooses the hardware",
+            file="arm.urdf.xacro",
+            scaffold="{}",
+        ),
     )
 
     @staticmethod
@@ -90,7 +106,9 @@ def library_of(plugin: Plugin) -> str:
 def is_only_mock(block: Ros2Control) -> bool:
     """Is its hardware made up, while the robot has none of a simulator?"""
     value = block.plugin_value
-    return value is not None and value.text.strip() in MOCKS and not block.model.has_simulated_hardware
+    if value is None or value.text.strip() not in MOCKS or block.model.has_simulated_hardware:
+        return False
+    return not block.document.may_write(SIMULATED)
 
 
 def loader(block: Ros2Control) -> Plugin | None:

@@ -86,6 +86,11 @@ class UnknownControlSimulator(Rule):
             '<gazebo><plugin filename="libgazebo_ros2_control.so" name="any_name"/></gazebo>',
             why="in Gazebo Classic the name is free",
         ),
+        Good(
+            '<gazebo><plugin filename="franka_ign_ros2_control-system"'
+            ' name="ign_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            why="a library of somebody's own, with the class of the one that it was made from",
+        ),
     )
 
     @staticmethod
@@ -108,6 +113,8 @@ class UnknownControlSimulator(Rule):
 def meant_library(plugin: Plugin) -> str | None:
     """The library that was probably meant, by its name or by the last part of the class's."""
     file = plugin.filename.removeprefix("lib").removesuffix(".so")
+    if any(file.endswith(f"_{library}") for library in CLASSES):
+        return None  # somebody's own, made from that one
     if (near := suggest(file, CLASSES)) is not None or file == "gazebo_ros2_control":
         return near
     if not file.endswith("_ros2_control-system"):

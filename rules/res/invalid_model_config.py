@@ -32,6 +32,7 @@ MESSAGES = {
     ConfigFault.TOO_NEW: "version {} is newer than any consumer knows",
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
     ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
+    ConfigFault.OTHER_VERSION: "version {} is not that of the file, which declares {}",
 }
 ADVICE = {
     ConfigFault.NO_MODEL: "write `<model>` as the root element",
@@ -47,6 +48,7 @@ ADVICE = {
 SEVERITIES = {
     ConfigFault.NO_NAME: Severity.WARNING,
     ConfigFault.EMPTY_VERSION: Severity.WARNING,
+    ConfigFault.OTHER_VERSION: Severity.WARNING,
     ConfigFault.UNMADE_FILE: Severity.INFO,
 }
 READ = {consumer: accepts("reads the model") for consumer in (Consumer.GAZEBO, Consumer.DRAKE)}
@@ -57,6 +59,7 @@ NEWLY_REFUSED = {
 REACTIONS = {
     ConfigFault.NO_NAME: READ,
     ConfigFault.EMPTY_VERSION: READ,
+    ConfigFault.OTHER_VERSION: READ,
     ConfigFault.NO_VERSION: NEWLY_REFUSED,
     ConfigFault.TOO_NEW: NEWLY_REFUSED,
     ConfigFault.BAD_VERSION: {**READ, Consumer.GAZEBO: refuses("crashes")},
@@ -72,8 +75,9 @@ class InvalidModelConfig(Rule):
     highest version that it knows, else the first one. A missing file or version, or a
     version from the future, fails the including document (libsdformat 12 only warns of
     versions). It crashes at a version that is not a number, and where it has something to
-    say of a model without a name; a missing name alone is a warning. A file that a build is
-    to make from a template beside it is only pointed out.
+    say of a model without a name; a missing name alone is a warning. So is a version that
+    is not that of the file: by it a consumer may take a file that is too new for it. A
+    file that a build is to make from a template beside it is only pointed out.
     """
 
     code = "RES007"
@@ -112,6 +116,14 @@ class InvalidModelConfig(Rule):
             files={"arm.sdf.jinja": "{{ arm }}"},
             says="`arm.sdf` has yet to be made from `arm.sdf.jinja`",
         ),
+        Bad(
+            '<sdf version="«1.6»">arm.sdf</sdf>',
+            fixed='<sdf version="1.12">arm.sdf</sdf>',
+            unsafe=True,
+            file=CONFIG,
+            files={"arm.sdf": ARM},
+            says="version 1.6 is not that of the file, which declares 1.12",
+        ),
         Bad("<«sdf»>arm.sdf</sdf>", file=CONFIG, files={"arm.sdf": ARM}, says="no `version`"),
         Bad('<sdf version="«1.99»">arm.sdf</sdf>', file=CONFIG, files={"arm.sdf": ARM}, says="newer"),
         Bad(
@@ -142,9 +154,9 @@ class InvalidModelConfig(Rule):
             why="a template that a build fills in",
         ),
         Good(
-            '<sdf version="1.5">arm.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
+            '<sdf version="1.5">old.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
             file=CONFIG,
-            files={"arm.sdf": ARM},
+            files={"arm.sdf": ARM, "old.sdf": ARM.replace("1.12", "1.5")},
         ),
     )
 
@@ -167,10 +179,11 @@ class InvalidModelConfig(Rule):
         for place, fault, near in config.faults:
             named = place.text.strip() if isinstance(place, Value) else place.name
             message = MESSAGES[fault].format(named, near)
-            if near is not None and fault is not ConfigFault.UNMADE_FILE:
+            if near is not None and fault not in (ConfigFault.UNMADE_FILE, ConfigFault.OTHER_VERSION):
                 message += f", did you mean `{near}`?"
             is_fatal = fault is ConfigFault.NO_NAME and crashes
-            fix = write_instead(near, place) if fault is ConfigFault.MISSING_FILE else None
+            is_replaced = fault in (ConfigFault.MISSING_FILE, ConfigFault.OTHER_VERSION)
+            fix = write_instead(near, place) if is_replaced else None
             yield self.diagnostic(
                 place,
                 message,

@@ -10,6 +10,7 @@ from sdfcheck import (
     Good,
     Missing,
     MissingKind,
+    Pieces,
     Resource,
     Root,
     Rule,
@@ -48,7 +49,7 @@ class MissingFile(Rule):
     `packages` and `model-paths` in `sdfcheck.toml`, or `--package NAME=PATH`. If a build makes the file or
     git-lfs fetches it, do that first.
     """
-    looks_at = (Root,)
+    looks_at = (Root, Pieces)
     scaffold = IN_VISUAL
 
     bad = (
@@ -74,6 +75,12 @@ class MissingFile(Rule):
             files={},
             says="package `lost` is not on the search path, needed for 2 files",
         ),
+        Bad(
+            '<visual><geometry><mesh filename="«package://lost/meshes/a.stl»"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+            files={"package.xml": "<package><name>arm_description</name></package>", "meshes/a.stl": ""},
+            says="package `lost` is not on the search path, and `arm_description` has what is asked of it",
+        ),
     )
     good = (
         Good(MESH.format("meshes/arm.dae"), files={"meshes/arm.dae": ""}),
@@ -91,11 +98,11 @@ class MissingFile(Rule):
     )
 
     @staticmethod
-    def applies(root: Root) -> bool:
-        return any(resource.is_missing for resource in root.resources)
+    def applies(part: Root | Pieces) -> bool:
+        return any(resource.is_missing for resource in part.resources)
 
-    def check(self, root: Root) -> Iterator[Diagnostic]:
-        absences = Absences(resource for resource in root.resources if resource.is_missing)
+    def check(self, part: Root | Pieces) -> Iterator[Diagnostic]:
+        absences = Absences(resource for resource in part.resources if resource.is_missing)
         for uses in absences.files.values():
             yield self.file(uses)
         for uses in absences.owners.values():
@@ -104,11 +111,15 @@ class MissingFile(Rule):
             setting = "model-paths" if location.scheme == "model" else "package-paths"
             advice = f"; set `{setting}` in the configuration if it is elsewhere"
             message = f"{location.scheme} `{location.name}` is not on the search path"
+            meant = {resource.meant_package for resource in uses}
+            if len(meant) == 1 and (own := meant.pop()) is not None:
+                yield self.together(uses, f"{message}, and `{own}` has what is asked of it")
+                continue
             yield self.together(uses, message, advice)._replace(
                 missing=Missing(MissingKind(location.scheme), location.name, len(uses))
             )
         for folder, uses in absences.folders.items():
-            yield self.together(uses, f"there is no folder `{place(root.document, folder)}`")
+            yield self.together(uses, f"there is no folder `{place(part.document, folder)}`")
 
     def file(self, uses: list[Resource]) -> Diagnostic:
         resource = uses[0]

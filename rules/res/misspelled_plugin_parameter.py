@@ -31,6 +31,14 @@ class MisspelledPluginParameter(Rule):
             says="does not read `wheel_seperation`; did you mean `wheel_separation`?",
             also=("RES021",),
         ),
+        Bad(
+            '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters><«controller_manager_node_name»>cm</controller_manager_node_name></plugin>",
+            fixed='<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters><controller_manager_name>cm</controller_manager_name></plugin>",
+            unsafe=True,
+            says="did you mean `controller_manager_name`?",
+        ),
     )
     good = (
         Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),

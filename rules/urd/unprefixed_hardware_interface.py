@@ -58,6 +58,7 @@ class UnprefixedHardwareInterface(Rule):
             + '<transmission name="u"><type>transmission_interface/SimpleTransmission</type>'
             f'<joint name="j">{OLD}</joint></transmission>',
             says="(used 2 times)",
+            also=("URD030",),
         ),
     )
     good = (

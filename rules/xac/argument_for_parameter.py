@@ -11,7 +11,7 @@ class ArgumentForParameter(Rule):
 
     `$(arg side)` is the argument that the whole file was given, whatever the call of the macro says; its parameter is
     `${side}`. Two calls then define the same names, or the parameter has no effect. Where all calls give the parameter
-    this very argument, both are the same and nothing is reported.
+    this very argument, both are the same; that is reported only if the macro reads the parameter in another place.
     """
 
     code = "XAC028"
@@ -31,6 +31,14 @@ class ArgumentForParameter(Rule):
             unsafe=True,
             file=FILE,
             says="`$(arg side)` is the argument of the file, not the parameter `side` of the macro",
+        ),
+        Bad(
+            HAND.replace("{}tcp", '${side}palm"/><link name="«$(arg side)»tcp')
+            + '<xacro:hand side="$(arg side)"/>',
+            fixed=HAND.replace("{}tcp", '${side}palm"/><link name="${side}tcp')
+            + '<xacro:hand side="$(arg side)"/>',
+            unsafe=True,
+            file=FILE,
         ),
     )
     good = (

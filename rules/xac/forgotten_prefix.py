@@ -36,9 +36,23 @@ class ForgottenPrefix(Rule):
             file=FILE,
             says="the macro defines `${prefix}palm`, not `palm`",
         ),
+        Bad(
+            '<xacro:macro name="rotor" params="ns"><link name="${ns}/hub"/><gazebo><plugin name="p" filename="p.so">'
+            "<linkName>«hub»</linkName></plugin></gazebo></xacro:macro>",
+            fixed='<xacro:macro name="rotor" params="ns"><link name="${ns}/hub"/><gazebo>'
+            '<plugin name="p" filename="p.so"><linkName>${ns}/hub</linkName></plugin></gazebo></xacro:macro>',
+            unsafe=True,
+            file="rotor.xacro",
+        ),
     )
     good = (
         Good(CLAW.replace("{}", "${prefix}palm"), file=FILE),
+        Good(
+            '<xacro:macro name="rotor" params="ns"><link name="${ns}/hub"/><gazebo><plugin name="p" filename="p.so">'
+            "<frameId>hub</frameId></plugin></gazebo></xacro:macro>",
+            why="programs of ROS may add the prefix to frames",
+            file="rotor.xacro",
+        ),
         Good('<link name="palm"/>' + CLAW.replace("{}", "palm"), why="another link has the name", file=FILE),
     )
 

@@ -10,6 +10,7 @@ class UnusedMacroParameter(Rule):
     Callers give it a value to no effect; often the body has a literal where the
     parameter was meant, or an ``insert_block`` without its prefix. A macro that is
     called in the body may read the parameter too: xacro looks names up in the caller.
+    Where an element in the body has the parameter's name and a fixed text, it is a warning at that text.
     """
 
     code = "XAC009"
@@ -29,6 +30,12 @@ class UnusedMacroParameter(Rule):
             file=FILE,
             says="parameter `mass` of macro `m`",
         ),
+        Bad(
+            '<xacro:macro name="m" params="update_rate"><gazebo reference="a"><plugin name="p" filename="p.so">'
+            "<updateRate>«40.0»</updateRate></plugin></gazebo></xacro:macro>",
+            file=FILE,
+            says="`updateRate` is always 40.0: parameter `update_rate` of macro `m` is never read",
+        ),
         Bad('<xacro:macro name="m" params="«*origin»"><link name="a"/></xacro:macro>', file=FILE),
     )
     good = (
@@ -46,6 +53,13 @@ class UnusedMacroParameter(Rule):
     )
 
     def check(self, problem: problems.UnusedMacroParameter) -> Iterator[Diagnostic]:
-        yield self.diagnostic(
-            problem.span, f"parameter `{problem.name}` of macro `{problem.macro}` is never read"
+        message, fixed = (
+            f"parameter `{problem.name}` of macro `{problem.macro}` is never read",
+            problem.literal,
         )
+        if fixed is None:
+            yield self.diagnostic(problem.span, message)
+            return
+        message = f"`{fixed.element.name}` is always {fixed.text.strip()}: {message}"
+        labels = {problem.span: "the parameter"}
+        yield self.diagnostic(fixed, message, labels=labels, severity=Severity.WARNING)

@@ -147,6 +147,18 @@ def nearest(name: str, candidates: Iterable[str], document: Document | None = No
     return None
 
 
+_MOST_WORDS = 20
+
+
+def without_a_word(name: str, candidates: Collection[str]) -> str | None:
+    """The candidate that a name of three words and more is without one of them; words end at underscores."""
+    words = name.split("_")
+    shorter = ("_".join(words[:place] + words[place + 1 :]) for place in range(len(words)))
+    return (
+        next((each for each in shorter if each in candidates), None) if 2 < len(words) < _MOST_WORDS else None
+    )
+
+
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """``; did you mean `x`?`` for the nearest candidate, or nothing."""
     near = nearest(name, candidates)

@@ -1436,7 +1436,8 @@ class Model(Scope):
 
     @property
     def is_complete(self) -> bool:
-        return self.is_readable and super().is_complete
+        is_open = self.document.is_open or self.document.kind is Kind.XACRO
+        return self.is_readable and not is_open and super().is_complete
 
     def _fill(self, nodes: dict[str, Node]) -> None:
         if self.is_readable:

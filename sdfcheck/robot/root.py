@@ -69,6 +69,7 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
     "ControlTransmission": lambda root: (each for block in _control(root) for each in block.transmissions),
     "Include": attrgetter("includes"),
     "FrameReference": attrgetter("frame_references"),
+    "Pieces": lambda root: (),  # `sdfcheck.robot.includes.macros` makes them
     "Resource": attrgetter("resources"),
     "Root": lambda root: (root,),
 }

@@ -178,6 +178,7 @@ class Altered(Document):
             "library",
             "included_by",
             "is_referred_to",
+            "is_open",
             "is_wellformed",
             "kind",
         ):

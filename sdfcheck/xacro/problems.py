@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from enum import Enum
 
+from sdfcheck.source.document import Value
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span, Step
 from sdfcheck.xacro.language import PREFIX, REQUIRED
@@ -32,6 +33,10 @@ class PrefixedMacroName(Oversight):
 
 class DeprecatedFunction(Oversight):
     """A function is called without the module that it is in, ``near``."""
+
+
+class DoubledPrefix(Oversight):
+    """A name begins with the same property twice."""
 
 
 class RedefinedMacro(Oversight):
@@ -254,11 +259,12 @@ class UnusedProperty(Record):
 
 
 class UnusedMacroParameter(Record):
-    """A parameter that its macro's body does not read."""
+    """A parameter that its macro's body does not read; ``literal`` is the text of an element there of that name."""
 
     span: Span
     name: str
     macro: str
+    literal: Value | None = None
 
 
 class XacroIncludeCycle(Record):

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from sdfcheck.robot.graph import Part
+from sdfcheck.robot.parts.files import Pieces
+from sdfcheck.robot.parts.gazebo import GazeboBlock
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
@@ -22,9 +24,15 @@ _OWNERS: dict[str, type[Link | Joint]] = {
 
 
 def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator[Part]:
-    """The parts of links and joints that elements in macros of a document for xacro make."""
+    """The parts of links and joints, plugins and files, that elements in macros of a document for xacro make."""
     robot = root_of(document).scopes[0]
-    for element in elements:
+    pieces = Pieces(robot, elements)
+    if pieces.resources:
+        yield pieces
+        yield from pieces.resources
+    for element in pieces.elements:
+        if element.name == "gazebo":
+            yield from GazeboBlock(robot, element).plugins
         owner = _OWNERS.get(element.name)
         place = next((each for each in element.around if each.name not in TRANSPARENT), None)
         if owner is None or place is None:

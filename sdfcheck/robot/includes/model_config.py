@@ -41,6 +41,7 @@ class ConfigFault(Enum):
     TOO_NEW = "too new"
     MISSING_FILE = "missing file"
     UNMADE_FILE = "file not made yet"
+    OTHER_VERSION = "version of the file is another"
 
 
 class Misconfiguration(NamedTuple):
@@ -171,7 +172,19 @@ def _of_entry(document: Document, entry: Element, *, is_chosen: bool) -> list[Mi
         fault = ConfigFault.MISSING_FILE if template is None else ConfigFault.UNMADE_FILE
         near = template or _near(document.path.parent, entry.content)
         found.append(Misconfiguration(entry.own_value, fault, near))
-    return found
+    return found or _of_other_version(document, entry)
+
+
+def _of_other_version(config: Document, entry: Element) -> list[Misconfiguration]:
+    """Whether the file of an entry, if it is SDFormat, declares another version than the entry says."""
+    library, version = library_of(config), entry.attribute("version")
+    if library is None or version is None or not entry.content:
+        return []
+    named = library.document(config.path.parent / entry.content, of=config)
+    declared = named.version if named is not None and named.kind is Kind.SDF else None
+    if not declared or declared == version.text.strip():
+        return []
+    return [Misconfiguration(version, ConfigFault.OTHER_VERSION, declared)]
 
 
 def _template(folder: Path, name: str) -> str | None:

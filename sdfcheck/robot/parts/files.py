@@ -162,6 +162,17 @@ class Resource(FileUse):
         return location.path is None and location.is_local and not self._is_among_textures
 
     @property
+    def meant_package(self) -> str | None:
+        """The package of the file itself, if that has what is looked for in one that is not there."""
+        location = self.location
+        if location is None or location.scheme != "package" or location.owner is not None:
+            return None
+        from sdfcheck.files.packages import package_around
+
+        own = package_around(self.document.path)
+        return own[1] if own is not None and os.path.isfile(os.path.join(own[0], location.inside)) else None
+
+    @property
     def _is_among_textures(self) -> bool:
         """Gazebo also looks for the bare name of a picture in the folders that models keep theirs in."""
         if self.what not in _PICTURES or "/" in self.uri:
@@ -173,13 +184,52 @@ class Resource(FileUse):
 def resources_of(root: Root) -> tuple[Resource, ...]:
     """The resources that a file names, of the same elements one after the other."""
     index, found = root.elements, []
-    for value in _named_in_urdf(index) if root.is_urdf else _named_in_sdf(index):
-        text, element = value.text.strip(), value.element
-        if text and not text.startswith(_SHIPPED) and not any(mark in text for mark in _EXPRESSIONS):
-            parent = element.parent
-            assert parent is not None, "the root names no file"
-            found.append(Resource(root.part_of(parent), element, value))
+    for value in filter(_is_literal, _named_in_urdf(index) if root.is_urdf else _named_in_sdf(index)):
+        parent = value.element.parent
+        assert parent is not None, "the root names no file"
+        found.append(Resource(root.part_of(parent), value.element, value))
     return tuple(found)
+
+
+def _is_literal(value: Value) -> bool:
+    text = value.text.strip()
+    return bool(text) and not text.startswith(_SHIPPED) and not any(mark in text for mark in _EXPRESSIONS)
+
+
+class Pieces(Part):
+    """Elements of a robot that no expansion of xacro shows; whatever comes around them, they name the same files."""
+
+    __slots__ = ("elements",)
+    kind = "pieces"
+
+    def __init__(self, holder: Part, elements: Iterable[Element]) -> None:
+        super().__init__(holder, None)
+        self.elements = tuple(elements)
+
+    @lazy
+    def resources(self) -> tuple[Resource, ...]:
+        """The meshes and textures, if the files of the project decide whether they are there."""
+        index: dict[str, list[Element]] = {}
+        for element in self.elements:
+            index.setdefault(element.name, []).append(element)
+        named = (Resource(self, value.element, value) for value in filter(_is_literal, _named_in_urdf(index)))
+        return tuple(each for each in named if _is_decided(each))
+
+
+def _is_decided(resource: Resource) -> bool:
+    """Do the project's files alone show where a URI leads? Meshes as a whole may be kept elsewhere."""
+    location = resource.location
+    if location is None or location.path is not None or resource.meant_package is not None:
+        return True
+    return any(_is_filled(os.path.dirname(path)) for path in location.tried)
+
+
+def _is_filled(folder: str) -> bool:
+    try:
+        with os.scandir(folder) as entries:
+            return any(not entry.name.startswith(".") for entry in entries)
+    except OSError:
+        return False
 
 
 def _named_in_sdf(index: Index) -> Iterator[Value]:

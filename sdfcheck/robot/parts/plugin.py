@@ -215,7 +215,17 @@ class Plugin(Part):
         names = {parameter.name for parameter in given}
         unread = [parameter for parameter in given if not facts.reads(parameter.name)]
         free = [name for name in facts.parameters if name not in names]
-        found = ((each, facts.in_other_case(each.name) or self.nearest(each.name, free)) for each in unread)
+        from sdfcheck.formats.near_names import without_a_word
+
+        found = (
+            (
+                each,
+                facts.in_other_case(each.name)
+                or self.nearest(each.name, free)
+                or without_a_word(each.name, free),
+            )
+            for each in unread
+        )
         return tuple((each, meant) for each, meant in found if meant is not None)
 
     @lazy

@@ -9,7 +9,7 @@ from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.near_names import guess, nearest
-from sdfcheck.source.document import Document, Element
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
@@ -397,9 +397,26 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Pro
 
 def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Problem]:
     for macro in reading(document).macros:
-        for parameter in macro.parameters:
-            if not _is_read(parameter.name.lstrip("*"), macro, visible, set()):
-                yield UnusedMacroParameter(parameter_place(macro, parameter), parameter.name, macro.name)
+        unread = [
+            each for each in macro.parameters if not _is_read(each.name.lstrip("*"), macro, visible, set())
+        ]
+        literals = _literals_in(macro) if unread else {}
+        for parameter in unread:
+            span, literal = parameter_place(macro, parameter), literals.get(_plain(parameter.name))
+            yield UnusedMacroParameter(span, parameter.name, macro.name, literal)
+
+
+def _literals_in(macro: Macro) -> dict[str, Value]:
+    """The fixed texts of elements in a macro's body, by their names without case and underscores."""
+    found: dict[str, Value] = {}
+    for element in macro.element.below:
+        if element.content and is_literal(element.content):
+            found.setdefault(_plain(element.name), element.own_value)
+    return found
+
+
+def _plain(name: str) -> str:
+    return name.replace("_", "").lower()
 
 
 def _is_read(name: str, macro: Macro, visible: Definitions, seen: set[str]) -> bool:

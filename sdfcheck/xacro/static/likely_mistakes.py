@@ -21,6 +21,7 @@ from sdfcheck.xacro.language import (
 from sdfcheck.xacro.problems import (
     ArgumentForParameter,
     DeprecatedFunction,
+    DoubledPrefix,
     EmptiedBlock,
     ForgottenPrefix,
     NeverEqualText,
@@ -70,9 +71,15 @@ _COMPARED_TRUTH = re.compile(
 )
 _TRUTHS = frozenset(("true", "false", "True", "False"))
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
-_PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<rest>\w+)")
+_PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<slash>/?)(?P<rest>\w+)")
+_DOUBLED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}[/_]?\$\{\s*(?P=parameter)\s*\}")
+_OF_GAZEBO = frozenset(("bodyname", "jointname", "linkname"))
+"""Parameters of plugins that Gazebo resolves itself; frames of ROS may get a prefix."""
 _ENDS = frozenset((("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")))
 """Elements and attributes that name a link or joint."""
+_WORD = re.compile(r"(?<![\w.])\w+")
+_NAMING = ("name", "link", "joint", "reference")
+"""Attributes with the name of something."""
 
 
 def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
@@ -87,6 +94,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _compared_truths(read, visible)
     yield from _arguments_for_parameters(read)
     yield from _forgotten_prefixes(read, visible)
+    yield from _doubled_prefixes(document, read)
     yield from _blocks(read, visible)
     yield from _namespace(document)
     if knows_all(document):
@@ -242,9 +250,12 @@ def _is_truth(name: str, visible: Definitions) -> bool:
 
 
 def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
-    """The uses of ``$(arg name)`` in a macro that has a parameter of that name, if calls may give another value."""
+    """The uses of ``$(arg name)`` in a macro that reads its parameter of that name, too, or may get another value."""
     macros = {macro.element: macro for macro in read.macros}
     around = dict(read.elements)
+    words: dict[Element | None, set[str]] = {}
+    for expression in read.expressions if macros else ():
+        words.setdefault(expression.macro, set()).update(_WORD.findall(expression.code))
     for command in read.commands if macros else ():
         match, element = _ARGUMENT.match(command.text), command.element
         holder = around.get(element)
@@ -252,8 +263,10 @@ def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:
         if match is None or macro is None or element is macro.element:
             continue
         for parameter in macro.parameters:
-            same = {f"$(arg {parameter.name})"}
-            if parameter.name == match[1] and passed(read.document, macro.name, match[1]) != same:
+            if parameter.name == match[1] and (
+                match[1] in words.get(macro.element, ())
+                or passed(read.document, macro.name, match[1]) != {f"$(arg {match[1]})"}
+            ):
                 span = place(element, command.attribute, f"$({command.text})")
                 yield ArgumentForParameter(span, match[1], parameter_place(macro, parameter))
 
@@ -292,10 +305,20 @@ def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversig
             if macro is None or found is None or value.text.strip() in plain:
                 continue
             parameter, home = found
-            if (macros[macro].name, parameter) not in given:
-                yield ForgottenPrefix(
-                    value.span, value.text.strip(), _named(home), f"${{{parameter}}}{value.text.strip()}"
-                )
+            name = home.attributes["name"]
+            is_frame = element.name.replace("_", "").lower() not in _OF_GAZEBO and value.attribute is None
+            if (macros[macro].name, parameter) not in given and not ("}/" in name and is_frame):
+                yield ForgottenPrefix(value.span, value.text.strip(), _named(home), name)
+
+
+def _doubled_prefixes(document: Document, read: Reading) -> Iterator[Oversight]:
+    """The names with the same prefix twice: right as long as it is empty."""
+    for element, _ in read.elements if _DOUBLED.search(document.source.text) else ():
+        for attribute in _NAMING:
+            match = _DOUBLED.search(element.attributes.get(attribute, ""))
+            if match is not None:
+                span = place(element, attribute, match[0])
+                yield DoubledPrefix(span, match["parameter"])
 
 
 def _is_surely_text(text: str, visible: Definitions) -> bool:
