@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
 
 from sdfcheck.convert.writer import numbers
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.altered import Xml, declared_prefixes
-from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.document import Comment, Document, Element
 from sdfcheck.source.sniff import Kind
 
 
@@ -178,14 +177,12 @@ def uses(root: Element, prefix: str) -> bool:
     return any(name.startswith(f"{prefix}:") for name in root.document.names)
 
 
-def spellings(
-    source: Kind, target: Kind, around: Surroundings, contains: Callable[[str], bool] = lambda _: True
-) -> dict[str, Spelling]:
-    """Prefix → how to write its tags, of all that a table is about and that the source ``contains``."""
+def spellings(document: Document, target: Kind, around: Surroundings) -> dict[str, Spelling]:
+    """Prefix → how to write its tags, of all that a table is about."""
+    source = document.kind.value
     return {
-        prefix_of(table): Spelling(vendor(table, source.value), vendor(table, target.value), around)
-        for table in BUILT_IN
-        if contains(f"{prefix_of(table)}:")
+        prefix: Spelling(vendor(table, source), vendor(table, target.value), around)
+        for prefix, table in known_tables(document.library).items()
     }
 
 

@@ -76,11 +76,10 @@ def places(context: click.Context, parameter: click.Parameter, begun: str) -> li
 
 def _of_vendors() -> list[str]:
     """The names with the prefix of a vendor."""
-    from sdfcheck.formats.vendor import BUILT_IN
     from sdfcheck.formats.vendor.definitions import DIALECTS
-    from sdfcheck.formats.vendor.table import vendor
+    from sdfcheck.formats.vendor.table import vendors
 
-    return sorted({name for path in BUILT_IN for dialect in DIALECTS for name in vendor(path, dialect).tags})
+    return sorted({name for dialect in DIALECTS for table in vendors(None, dialect) for name in table.tags})
 
 
 def _items(offered: Iterable[tuple[str, str]]) -> list[CompletionItem]:

@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
-from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry
 from sdfcheck.convert.marks import SCRIPTS
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import settings
+from sdfcheck.formats.vendor.table import tag_of
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
@@ -205,7 +206,8 @@ def _add_own(made: Entry, element: Element) -> list[Entry]:
 
 
 def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, ...] = ()) -> None:
-    for name, text in made.element.attributes.items() if made.element is not None else ():
-        if ":" in name and tag_of(name, Kind.URDF) is None:
+    own = made.element
+    for name, text in () if own is None else own.attributes.items():
+        if own is not None and ":" in name and tag_of(own.document, name, "urdf") is None:
             made.attributes.setdefault(name, text)
     made.children += custom_entries((e for e in elements if e.name not in without), Kind.URDF)

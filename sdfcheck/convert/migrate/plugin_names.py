@@ -12,8 +12,7 @@ from collections.abc import Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.table import tag_of
 
 _WORDS = {"joint": ("joint",), "link": ("link", "body", "frame"), "model": ("model",)}
 
@@ -34,19 +33,13 @@ def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[st
                 node.write(found)
 
 
-def _named_kinds(tag: str, attribute: str) -> list[str]:
+def _named_kinds(node: Node, attribute: str) -> list[str]:
     """The kinds of thing that a vendor's tag names in an attribute, or in its text; none if no table knows it."""
-    for table in BUILT_IN:
-        if tag.startswith(f"{prefix_of(table)}:"):
-            found = vendor(table, "sdf").tags.get(tag)
-            slots = [place.slot for place in found.places] if found is not None else []
-            slot = (
-                found.attributes.get(attribute)
-                if found is not None and attribute
-                else next(iter(slots), None)
-            )
-            return list(slot.references) if slot is not None else []
-    return []
+    tag = tag_of(node.document, node.name, "sdf")
+    if tag is None:
+        return []
+    slot = tag.attributes.get(attribute) if attribute else next((place.slot for place in tag.places), None)
+    return list(slot.references) if slot is not None else []
 
 
 def _plugins(node: Node) -> Iterator[Node]:
@@ -69,7 +62,7 @@ def _meant(
     new = {kind: names[kind, text] for kind in _WORDS if (kind, text) in names}
     if not new:
         return None
-    kinds = _named_kinds(node.name, called.partition("/")[2]) or [
+    kinds = _named_kinds(node, called.partition("/")[2]) or [
         kind for kind, words in _WORDS.items() if any(word in called.lower() for word in words)
     ]
     if not kinds and "::" in text and len(new) == 1:

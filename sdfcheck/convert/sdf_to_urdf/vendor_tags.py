@@ -30,7 +30,7 @@ class VendorTags:
     def __init__(self, context: Context, scope: str) -> None:
         self.context = context
         self.scope = scope
-        self.spellings = spellings(Kind.SDF, Kind.URDF, self)
+        self.spellings = spellings(context.scope.element.document, Kind.URDF, self)
 
     def put(self, element: Element, node: Xml) -> bool:
         """Write a tag into the counterpart of its parent; False if no table has it."""

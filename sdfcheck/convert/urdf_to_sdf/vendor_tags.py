@@ -27,7 +27,7 @@ class VendorTags:
         self.plan = plan
         self.options = options
         self.lose = lose
-        self.spellings = spellings(Kind.URDF, Kind.SDF, self, plan.root.document.source.contains)
+        self.spellings = spellings(plan.root.document, Kind.SDF, self)
         self.named: dict[tuple[str, str], str] = {}
         """Kind and name of a frame or tag → its name in the model, where all names differ."""
         self.moved: list[str] = []

@@ -62,8 +62,17 @@ class Settings(NamedTuple):
 
     @property
     def search(self) -> SearchPaths:
-        """Where models and packages are looked for."""
-        return SearchPaths(self.model_paths, self.package_paths, self.packages)
+        """Where models and packages are looked for, and tables of vendors."""
+        return SearchPaths(self.model_paths, self.package_paths, self.packages, tables=self.tables)
+
+    @property
+    def tables(self) -> tuple[Path, ...]:
+        """The tables of vendors' own elements that the plugins bring."""
+        if not self.plugins:
+            return ()
+        from sdfcheck.lint.rulebook.plugins.find import tables_of
+
+        return tables_of(self.plugins)
 
     def extended(self, search: SearchPaths, variables: tuple[str, ...] = ()) -> Settings:
         """The settings with further places, which come first, and environment variables for xacro."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sdfcheck.formats import srdf
 from sdfcheck.formats.describe.spot import spot
-from sdfcheck.formats.vendor import BUILT_IN
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
@@ -42,7 +41,7 @@ _SYSTEMS = """
 _XACRO_COMMANDS = ("arg ", "find ", "env ", "optenv ", "eval ", "dirname", "cwd", "anon ")
 
 
-def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
+def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -> Iterator[Item]:
     """The values of an attribute or text, where they are a closed list or well known."""
     tag, attribute = context.tag, context.attribute
     if tag == "plugin" and attribute == "filename":
@@ -54,7 +53,7 @@ def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterato
         return
     yield from _of_format(context, version)
     if ":" in tag or ":" in attribute:
-        yield from _of_vendor(context, is_urdf=is_urdf)
+        yield from _of_vendor(context, vendors)
     if tag == "sdf" and attribute == "version":
         yield from (
             Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
@@ -133,9 +132,9 @@ def _of_format(context: Context, version: Version) -> Iterator[Item]:
         yield Item(default, Sort.CHOICE, default, detail="default", rank=7)
 
 
-def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
-    for path in BUILT_IN:
-        tags = vendor(path, "urdf" if is_urdf else "sdf").tags
+def _of_vendor(context: Context, vendors: Sequence[Vendor]) -> Iterator[Item]:
+    for table in vendors:
+        tags = table.tags
         tag = tags.get(context.tag) or tags.get(context.attribute)
         if tag is None:
             continue

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rulebook.pack import PackError
-from sdfcheck.lint.rulebook.packs import load_index
+from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.select import ActiveRules, Choice, select
 from sdfcheck.lint.source_file import lint_source
 from sdfcheck.testing import Trial, examples
@@ -30,9 +31,13 @@ DRIVE = (
 )
 
 
+def around(index: RuleIndex) -> Library:
+    return Library(SearchPaths(tables=index.tables))
+
+
 def lint(text: str) -> list[Diagnostic]:
-    dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
-    found = lint_source(text.encode(), Path("model.sdf"), None, dispatch).diagnostics
+    dispatch, library = Dispatch(INDEX, ActiveRules(INDEX.facts, {})), around(INDEX)
+    found = lint_source(text.encode(), Path("model.sdf"), None, dispatch, library).diagnostics
     assert "INT001" not in {d.code for d in found}, found
     return [d for d in found if d.code.startswith(("FLT", "DRK"))]
 
@@ -158,7 +163,7 @@ def test_a_table_is_enough(attribute: str, severity: str | None, message: str, t
     def found(*targets: str) -> list[Diagnostic]:
         dispatch = Dispatch(index, ActiveRules(index.facts, {}, frozenset(targets)))
         text = MOTOR.format(attribute).encode()
-        every = lint_source(text, Path("robot.urdf"), None, dispatch).diagnostics
+        every = lint_source(text, Path("robot.urdf"), None, dispatch, around(index)).diagnostics
         return [each for each in every if each.code.startswith("VND")]
 
     assert [each.severity.value for each in found()] == ([] if severity is None else [severity])
@@ -171,5 +176,5 @@ def test_a_table_is_enough(attribute: str, severity: str | None, message: str, t
 def test_a_pack_with_rules_of_its_own_has_no_others() -> None:
     dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
     text = MODEL.format("", "", "", "", "<flatland:transmision/>").encode()
-    found = lint_source(text, Path("model.sdf"), None, dispatch).diagnostics
+    found = lint_source(text, Path("model.sdf"), None, dispatch, around(INDEX)).diagnostics
     assert [each.code for each in found if each.code.startswith(("FLT", "VND"))] == ["FLT001"]
