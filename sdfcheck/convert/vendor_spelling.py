@@ -87,6 +87,45 @@ class Spelling:
                 self._child(child, node, tag, other)
         return node
 
+    def write(self, element: Element, node: Xml) -> Xml | None:
+        """Write a tag into the counterpart of its parent; the written element, None for an attribute."""
+        tag, place = self.source.tags.get(element.name), self.place(element.name, node)
+        if tag is not None and place is not None and place.carrier == "attribute" and place.slot is not None:
+            here = _place_in(tag, element)
+            value = value_at(element, here.carrier) if here is not None else None
+            if here is not None and here.slot is not None and value is not None:
+                node.attributes[element.name] = self.value(value.text, here.slot, place.slot)
+            return None
+        node.append(made := self.element(element))
+        return made
+
+    def write_attribute(self, element: Element, name: str, node: Xml) -> bool:
+        """Write an attribute into the counterpart of its element; False if nobody would look for it there."""
+        here, place = self.attribute(element, name), self.place(name, node)
+        if here is None or place is None:
+            return False
+        text = element.attributes[name]
+        text = text if place.slot is None else self.value(text, here, place.slot)
+        if place.carrier == "attribute":
+            node.attributes[name] = text
+        else:
+            _carry(node.add(name), place.carrier, text)
+        return True
+
+    def attribute(self, element: Element, name: str) -> Slot | None:
+        """What an attribute of an element is to its consumer; None if that is nothing."""
+        tag = self.source.tags.get(name)
+        places = () if tag is None else tag.places
+        return next(
+            (each.slot for each in places if each.carrier == "attribute" and each.encloses(element)), None
+        )
+
+    def place(self, name: str, node: Xml) -> Place | None:
+        """The place of a tag in the other dialect that is in the counterpart of its parent."""
+        tag = self.target.tags.get(name)
+        places = () if tag is None else tag.places
+        return next((place for place in places if place.path[0].name == node.name), None)
+
     def value(self, text: str, here: Slot, there: Slot) -> str:
         """A value in the other dialect's words."""
         words = " ".join(text.split())

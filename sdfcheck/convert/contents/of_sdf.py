@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
-from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, take_attributes
 from sdfcheck.convert.marks import BLOCK, is_mark
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
@@ -124,7 +124,7 @@ def _lift_custom(part: Entry, joint: Entry) -> None:
     joint.children += [child for child in part.children if ":" in child.name]
     part.children = [child for child in part.children if ":" not in child.name]
     if part.element is not None:
-        joint.children += attribute_entries(part.element)
+        joint.children += attribute_entries(part.element, Kind.SDF)
     part.attributes = {name: text for name, text in part.attributes.items() if ":" not in name}
 
 
@@ -133,6 +133,7 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
     customs = frozenset(child.name for child in element.children() if child.is_custom)
     made = entry_of(element, definition, without | customs)
     made.attributes = {name: text for name, text in made.attributes.items() if name not in _ENDS}
+    take_attributes(made, element, Kind.SDF)
     others = (
         child
         for child in element.children()

@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
-from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, take_attributes
 from sdfcheck.convert.marks import SCRIPTS
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import settings
-from sdfcheck.formats.vendor.table import tag_of
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
@@ -139,7 +138,7 @@ def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
         inner = joint.find(name)
         if inner is not None:
             _add_customs(made, inner.children())
-            made.children += attribute_entries(inner)
+            made.children += attribute_entries(inner, Kind.URDF)
             own = inner.attributes.items() if not joint.is_fixed else ()
             made.children += [
                 Entry(key, text, inner)
@@ -206,8 +205,9 @@ def _add_own(made: Entry, element: Element) -> list[Entry]:
 
 
 def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, ...] = ()) -> None:
-    own = made.element
-    for name, text in () if own is None else own.attributes.items():
-        if own is not None and ":" in name and tag_of(own.document, name, "urdf") is None:
-            made.attributes.setdefault(name, text)
+    if made.element is not None:
+        for name, text in made.element.attributes.items():
+            if ":" in name:
+                made.attributes.setdefault(name, text)
+        take_attributes(made, made.element, Kind.URDF)
     made.children += custom_entries((e for e in elements if e.name not in without), Kind.URDF)

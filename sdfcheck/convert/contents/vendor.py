@@ -81,24 +81,31 @@ def _is_read(element: Element, kind: Kind) -> bool:
     return any(place.encloses(parent) and place.holds(parent) for place in tag.places)
 
 
-def attribute_entry(element: Element, name: str, text: str) -> Entry | None:
-    """A tag that is an attribute; None if no table has it."""
-    tag = tag_of(element.document, name, "urdf")
-    slot = (
-        next((place.slot for place in tag.places if place.slot is not None), None)
-        if tag is not None
-        else None
-    )
+def attribute_entry(element: Element, name: str, text: str, kind: Kind) -> Entry | None:
+    """A tag that is an attribute where it is read; None if it is not."""
+    tag = tag_of(element.document, name, kind.value)
+    places = () if tag is None else tag.places
+    read = (place.slot for place in places if place.carrier == "attribute" and place.encloses(element))
+    slot = next(read, None)
     return None if slot is None else Entry(name, _read(slot, text), element)
 
 
-def attribute_entries(element: Element) -> Iterator[Entry]:
+def take_attributes(made: Entry, element: Element, kind: Kind) -> None:
+    """Give a part what its attributes say to vendors, as another dialect may have elements for that."""
+    for name, text in element.attributes.items():
+        if ":" in name and _has_table(element, name):
+            made.attributes.pop(name, None)
+            if (entry := attribute_entry(element, name, text, kind)) is not None:
+                made.add(entry)
+
+
+def attribute_entries(element: Element, kind: Kind) -> Iterator[Entry]:
     """The attributes of an element that are custom, each as an entry of its own."""
     for name, text in element.attributes.items():
         if ":" not in name or name.startswith("xmlns:"):
             continue
         if _has_table(element, name):
-            entry = attribute_entry(element, name, text)
+            entry = attribute_entry(element, name, text, kind)
         else:
             entry = Entry(name.removeprefix(_KEPT), text, element)
         if entry is not None:

@@ -180,12 +180,9 @@ def _carry_attribute(
         _give_back_attribute(context, node, element, name, text)
         return
     declare(node, element, name.partition(":")[0], context.namespaces)
-    if tags.is_ignored(name):
-        message = (
-            f"attribute `{name}` of {element.title} is left out: it is ignored here, and would not be in URDF"
-        )
-        context.ledger.lose_attribute(element, name, message)
-    elif node.attributes.get(name) == text:
+    if tags.put_attribute(element, name, node):
+        return
+    if node.attributes.get(name) == text:
         context.ledger.take(element, name)  # one for both
     elif node.attributes.setdefault(name, text) == text:
         context.ledger.copy_attribute(element, name)
