@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.load import opened
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -165,7 +165,4 @@ def as_json(what: Run | Diagnostic) -> Any:
 
 
 def _document(what: Description) -> Document:
-    if isinstance(what, Root):
-        return what.document
-    text = as_text(what)
-    return (load(what) if text is None else parse(text)).document  # type: ignore[arg-type]
+    return (what if isinstance(what, Root) else opened(what)).document

@@ -113,7 +113,7 @@ class Spelling:
         return True
 
     def attribute(self, element: Element, name: str) -> Slot | None:
-        """What an attribute of an element is to its consumer; None if that is nothing."""
+        """The meaning of an attribute to its consumer; None if it has none there."""
         tag = self.source.tags.get(name)
         places = () if tag is None else tag.places
         return next(

@@ -19,35 +19,39 @@ _WORDS = {"joint": ("joint",), "link": ("link", "body", "frame"), "model": ("mod
 
 def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[str, str], str]) -> None:
     """Follow new names in the plugins and custom elements of a model; ``names`` are new ones by kind and old name."""
-    for plugin in _plugins(model):
-        for node in plugin.walk():
-            for attribute, text in list(node.attributes.items()):
-                if node is plugin and (not node.is_custom or attribute == "name"):
-                    continue
-                found = _meant(migration, plugin, node, f"{node.name}/{attribute}", text, names)
-                if found is not None:
-                    node.attributes[attribute] = found
-            if next(node.children(), None) is None and (
-                found := _meant(migration, plugin, node, node.name, node.content, names)
-            ):
-                node.write(found)
+    for holder, node, attribute in list(_places(model)):
+        called = f"{node.name}/{attribute}" if attribute else node.name
+        text = node.attributes[attribute] if attribute else node.content
+        found = _meant(migration, holder, node, called, text, names)
+        if found is not None and attribute:
+            node.attributes[attribute] = found
+        elif found is not None:
+            node.write(found)
 
 
 def _named_kinds(node: Node, attribute: str) -> list[str]:
     """The kinds of thing that a vendor's tag names in an attribute, or in its text; none if no table knows it."""
-    tag = tag_of(node.document, node.name, "sdf")
+    is_tag = not attribute or ":" in attribute
+    tag = tag_of(node.document, attribute if attribute and is_tag else node.name, "sdf")
     if tag is None:
         return []
-    slot = tag.attributes.get(attribute) if attribute else next((place.slot for place in tag.places), None)
+    slot = next((place.slot for place in tag.places), None) if is_tag else tag.attributes.get(attribute)
     return list(slot.references) if slot is not None else []
 
 
-def _plugins(node: Node) -> Iterator[Node]:
+def _places(node: Node, around: Node | None = None) -> Iterator[tuple[Node, Node, str]]:
+    """The custom attributes, and the values in plugins and custom elements: what holds it, element, attribute."""
     for child in node.children():
-        if child.name == "plugin" or child.is_custom:
-            yield child
-        elif child.name != "model":
-            yield from _plugins(child)
+        holder = child if around is None and (child.name == "plugin" or child.is_custom) else around
+        for name in child.attributes:
+            if ":" in name or (
+                holder is not None and (child is not holder or (child.is_custom and name != "name"))
+            ):
+                yield holder or child, child, name
+        if holder is not None and next(child.children(), None) is None:
+            yield holder, child, ""
+        if holder is not None or child.name != "model":
+            yield from _places(child, holder)
 
 
 def _meant(

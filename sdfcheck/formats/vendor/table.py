@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -63,13 +64,20 @@ def vendor(path: Path, dialect: str) -> Vendor:
     return reader.vendor
 
 
+def check_tables(tables: Iterable[Path]) -> None:
+    """Make sure that tables can be read; raises BadTable."""
+    for table in tables:
+        for dialect in DIALECTS:
+            vendor(table, dialect)
+
+
 def vendors(library: object | None, dialect: str) -> list[Vendor]:
     """The tables that the documents of a library are read with."""
     return [vendor(table, dialect) for table in known_tables(library).values()]
 
 
 def tag_of(document: Document, name: str, dialect: str) -> Tag | None:
-    """What the tables around a document say about a prefixed name; None if none of them has it."""
+    """The entry of a prefixed name in the tables around a document; None if none of them has it."""
     table = known_tables(document.library).get(name.partition(":")[0])
     return None if table is None else vendor(table, dialect).tags.get(name)
 

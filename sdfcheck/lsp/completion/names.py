@@ -11,6 +11,7 @@ from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.likely import Usage, words_in
 from sdfcheck.lsp.completion.semantics import Tree, semantic_scores
+from sdfcheck.lsp.completion.tags import slots_at
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.names.expanded import Expanded, expansions, plain, roots_of
 from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
@@ -65,7 +66,7 @@ def wanted(context: Context, dialect: str, vendors: Sequence[Vendor]) -> tuple[s
         if is_joint and _OF_JOINTS.intersection(context.around[-1:]):
             return ("joint",)
         table = _URDF_VALUES if is_urdf else _SDF_VALUES
-        return table.get((tag, attribute)) or _of_vendor(tag, f"@{attribute}", vendors)
+        return table.get((tag, attribute)) or _of_vendors(tag, attribute, vendors)
     if (
         tag in _SDF_TEXTS
         and not is_urdf
@@ -74,7 +75,7 @@ def wanted(context: Context, dialect: str, vendors: Sequence[Vendor]) -> tuple[s
         return _SDF_TEXTS[tag]
     if "plugin" in context.around:
         return _of_parameter(tag)
-    return _of_vendor(tag, "", vendors)
+    return _of_vendors(tag, "", vendors)
 
 
 def _of_parameter(tag: str) -> tuple[str, ...]:
@@ -86,20 +87,10 @@ def _of_parameter(tag: str) -> tuple[str, ...]:
     return _NODES if "frame" in words else ()
 
 
-def _of_vendor(tag: str, carrier: str, vendors: Sequence[Vendor]) -> tuple[str, ...]:
+def _of_vendors(tag: str, attribute: str, vendors: Sequence[Vendor]) -> tuple[str, ...]:
     """The parts that a vendor's own tag can name."""
-    if ":" not in tag:
-        return ()
-    for table in vendors:
-        known = table.tags.get(tag)
-        if known is None:
-            continue
-        slots = [place.slot for place in known.places if place.carrier == (carrier or "text")]
-        slots.append(known.attributes.get(carrier[1:]) if carrier else None)
-        found = tuple(kind for slot in slots if slot is not None for kind in slot.references)
-        if found:
-            return found
-    return ()
+    slots = slots_at(tag, attribute, vendors) if ":" in tag or ":" in attribute else ()
+    return next((slot.references for slot in slots if slot.references), ())
 
 
 def name_items(

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
 from sdfcheck.formats.schema import Definition, RowInVersion
-from sdfcheck.formats.vendor.definitions import Place, Vendor
+from sdfcheck.formats.vendor.definitions import Place, Slot, Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort
@@ -83,6 +83,18 @@ def _custom(around: tuple[str, ...], vendors: Sequence[Vendor]) -> Iterator[Item
                 filter(None, (table.name, slot.type if slot else "", slot.unit if slot else ""))
             )
             yield Item(tag.name, Sort.ELEMENT, plain(text), text, detail, 2 if place.needed else 7)
+
+
+def slots_at(tag: str, attribute: str, vendors: Sequence[Vendor]) -> Iterator[Slot]:
+    """The entries of tables for the value of an attribute, or of an element where ``attribute`` is empty."""
+    carrier = f"@{attribute}" if attribute else "text"
+    for table in vendors:
+        for name, kinds in ((attribute, {"attribute"}), (tag, {carrier})):
+            known = table.tags.get(name)
+            if known is not None:
+                slots = [place.slot for place in known.places if place.carrier in kinds]
+                slots.append(known.attributes.get(attribute))
+                yield from filter(None, slots)
 
 
 def _fits(place: Place, around: tuple[str, ...]) -> bool:

@@ -11,6 +11,7 @@ from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import plain
+from sdfcheck.lsp.completion.tags import slots_at
 
 _INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
 _SENSED = tuple(
@@ -53,7 +54,9 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
         return
     yield from _of_format(context, version)
     if ":" in tag or ":" in attribute:
-        yield from _of_vendor(context, vendors)
+        slots = slots_at(tag, attribute, vendors)
+        for choice in dict.fromkeys(choice for slot in slots for choice in slot.choices):
+            yield Item(choice, Sort.CHOICE, choice, rank=2)
     if tag == "sdf" and attribute == "version":
         yield from (
             Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
@@ -130,19 +133,6 @@ def _of_format(context: Context, version: Version) -> Iterator[Item]:
         yield from (Item(word, Sort.CHOICE, word, rank=2) for word in ("true", "false"))
     if default and not choices and own.type != "bool":
         yield Item(default, Sort.CHOICE, default, detail="default", rank=7)
-
-
-def _of_vendor(context: Context, vendors: Sequence[Vendor]) -> Iterator[Item]:
-    for table in vendors:
-        tags = table.tags
-        tag = tags.get(context.tag) or tags.get(context.attribute)
-        if tag is None:
-            continue
-        slots = [place.slot for place in tag.places]
-        if context.attribute:
-            slots.append(tag.attributes.get(context.attribute))
-        for choice in dict.fromkeys(choice for slot in slots if slot is not None for choice in slot.choices):
-            yield Item(choice, Sort.CHOICE, choice, rank=2)
 
 
 def semantic_values(context: Context) -> Iterator[Item]:

@@ -72,13 +72,11 @@ def read_tables(pack: Pack) -> list[Path]:
     """The tables of a pack's vendors; raises PackError for one that cannot be read."""
     paths = [] if pack.file is not None else sorted(pack.folder.glob(f"*{SUFFIX}"))
     if paths:
-        from sdfcheck.formats.vendor.definitions import DIALECTS, BadTable
-        from sdfcheck.formats.vendor.table import vendor
+        from sdfcheck.formats.vendor.definitions import BadTable
+        from sdfcheck.formats.vendor.table import check_tables
 
         try:
-            for path in paths:
-                for dialect in DIALECTS:
-                    vendor(path, dialect)
+            check_tables(paths)
         except BadTable as error:
             raise PackError(str(error), pack.name) from None
     return paths
