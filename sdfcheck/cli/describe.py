@@ -68,10 +68,9 @@ def _tables(element: str, configuration: Configuration) -> Mapping[str, Path]:
     if prefixes <= {"sdf", "urdf", *BUILT_IN}:
         return BUILT_IN
     from sdfcheck.lint.rulebook.rulebook import RuleBook
-    from sdfcheck.lint.select import SILENT
 
     settings = configuration.settings_in(Path.cwd())
-    RuleBook(SILENT, None).index(settings)  # says what is wrong with a pack
+    RuleBook().index(settings)  # says what is wrong with a pack
     return known_tables(Library(settings.search))
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind

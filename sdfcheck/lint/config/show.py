@@ -7,8 +7,8 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.lint.config.configuration import Settings
-from sdfcheck.lint.config.reading import FIELDS, ArgumentSet, Pattern, shown
+from sdfcheck.lint.config.reading import ArgumentSet, Pattern, shown
+from sdfcheck.lint.config.settings import FIELDS, Settings
 
 
 def render(settings: Settings) -> str:

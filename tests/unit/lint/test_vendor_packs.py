@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
-from sdfcheck.lint.select import ActiveRules, Choice, select
+from sdfcheck.lint.select import ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
 from sdfcheck.testing import Trial, examples
 
@@ -102,7 +103,7 @@ def test_rules_of_one_vendor_leave_another_alone() -> None:
 
 def test_without_the_pack_its_prefix_is_free() -> None:
     index = load_index()
-    active = select(index.facts, Choice())
+    active = select(index.facts, UNSET)
     text = MODEL.format("", "", "", "", "<flatland:x/>")
     found = lint_source(text.encode(), Path("m.sdf"), None, Dispatch(index, active)).diagnostics
     assert not [d for d in found if "flatland" in d.message]

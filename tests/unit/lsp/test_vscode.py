@@ -11,7 +11,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.lsp.register import make_server
-from sdfcheck.lsp.watch import choices_of
+from sdfcheck.lsp.watch import SETTINGS, choices_of
 from sdfcheck.lsp.workspace import Choices
 
 EXTENSION = Path(__file__).parents[3] / "editors" / "vscode"
@@ -50,14 +50,17 @@ def test_commands_of_the_extension_and_of_the_server_differ() -> None:
 
 
 def test_each_setting_is_read(tmp_path: Path) -> None:
-    changed: dict[str, Any] = {"boolean": True, "array": ["gazebo"], "string": "x"}
+    changed: dict[str, Any] = {"boolean": True, "array": ["gazebo"], "string": "x", "object": {"p": "x"}}
+    names = set[str]()
     for name, setting in CONTRIBUTED["configuration"]["properties"].items():
         key = name.removeprefix("sdfcheck.")
+        names.add(key)
         if key == "command":
             continue  # it says which server is started
         assert choices_of({key: setting["default"]}, tmp_path) == Choices(), key
         value = not setting["default"] if setting["type"] == "boolean" else changed[setting["type"]]
         assert choices_of({key: value}, tmp_path) != Choices(), key
+    assert names >= {*SETTINGS}
 
 
 def test_files_and_commands_of_the_manifest_exist() -> None:
