@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_argume
 from sdfcheck.cli.parts.options import PATH, colored, configured, path, reported, settable, taken, written
 from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.progress import Notifier, Progress
-from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
+from sdfcheck.cli.parts.shown import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import (
     emit,
     emit_lines,
@@ -25,7 +25,6 @@ from sdfcheck.cli.parts.terminal import (
     wants_links,
     width_of,
 )
-from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import GIVEN
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.session import Options, find, selected
@@ -38,52 +37,6 @@ if TYPE_CHECKING:
 
 _KINDS = (Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG)
 _STDIN = Path("-")
-
-
-class Request:
-    """The command line, as click read it."""
-
-    def __init__(self, given: Mapping[str, Any]) -> None:
-        self.__dict__.update(given)
-
-    paths: tuple[Path, ...]
-    min_severity: str | None
-    max_diagnostics: int | None
-    no_fold: bool
-    fail_on: str | None
-    fail_on_missing: bool
-    max_warnings: int | None
-    exit_zero: bool
-    fix: bool
-    unsafe_fixes: bool
-    fix_only: bool
-    show_fixes: bool
-    diff: bool
-    add_ignore: bool
-    reason: str
-    baseline: Path | None
-    write_baseline: bool
-    output_format: tuple[str, ...]
-    output_file: Path | None
-    statistics: bool
-    stdin_filename: Path | None
-    kind: str | None
-    no_expand: bool
-    exclude: tuple[Path, ...]
-    changed_since: str
-    force_exclude: bool
-    skip_unrelated: bool
-    configuration: Configuration
-    show_files: bool
-    show_settings: bool
-    color: str
-    jobs: int | None
-    quiet: bool
-
-    @property
-    def rewrites(self) -> bool:
-        """Whether the files that are linted are changed."""
-        return self.fix or self.add_ignore
 
 
 @click.command(cls=Command)
@@ -152,7 +105,9 @@ def lint(**given: Any) -> int:
     among them is an argument for the expansion of xacro files.
     """
     configuration = given["configuration"].with_given(taken(given))
-    request = Request(given | {"configuration": configuration, "fix": given["fix"] or given["fix_only"]})
+    fix = given["fix"] or given["fix_only"]
+    rewrites = fix or given["add_ignore"]
+    request = Request(**{**given, "configuration": configuration, "fix": fix, "rewrites": rewrites})
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
     if request.show_settings:

@@ -287,15 +287,14 @@ def settable(*names: str) -> Callable[[Any], Any]:
 
 def _settable(field: Field) -> Callable[[Any], Any]:
     flag, _, metavar = field.option.partition(" ")
-    words = field.help or field.summary
     if field.shape == Shape.FLAG:
-        return click.option(f"{flag}/--no-{flag[2:]}", field.attribute, default=None, help=words)
+        return click.option(f"{flag}/--no-{flag[2:]}", field.attribute, default=None, help=field.summary)
     if field.shape == Shape.TARGETS:
-        return targeted(words)
+        return targeted(field.summary.rstrip("."))
     more: dict[str, Any] = {"type": PATH} if field.shape == Shape.PATHS else {}
     if field.shape == Shape.SELECTORS:
         more = {"callback": _commas, "shell_complete": rules}
-    return click.option(flag, field.attribute, multiple=True, metavar=metavar, help=words, **more)
+    return click.option(flag, field.attribute, multiple=True, metavar=metavar, help=field.summary, **more)
 
 
 def taken(given: dict[str, Any]) -> Settings:

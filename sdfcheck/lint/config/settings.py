@@ -48,9 +48,8 @@ class Field(NamedTuple):
     shape: str
     default: str
     summary: str
-    value: Any = None
     option: str = ""
-    help: str = ""
+    value: Any = None
 
     @property
     def attribute(self) -> str:
@@ -58,8 +57,8 @@ class Field(NamedTuple):
         return self.key.replace("-", "_")
 
 
-def _field(value: object, shape: str, default: str, summary: str, option: str = "", help: str = "") -> Any:
-    return Field("", shape, default, summary, value, option, help)
+def _field(value: object, shape: str, default: str, summary: str, option: str = "") -> Any:
+    return Field("", shape, default, summary, option, value)
 
 
 class Settings(NamedTuple):
@@ -73,26 +72,19 @@ class Settings(NamedTuple):
         None,
         Shape.SELECTORS,
         "",
-        "The rules to run; unset: all that are on by default.",
-        "--select RULES",
-        "The rules to run: codes, names, families or ALL, separated by commas.",
+        "The rules to run (codes, names, families, ALL), by default those that are on.",
+        "--select RULE,…",
     )
     extend_select: tuple[str, ...] = _field(
         (),
         Shape.SELECTORS,
         "[]",
-        "Rules to run in addition to `select`.",
-        "--extend-select RULES",
-        "Rules to run in addition to those that are selected.",
+        "Rules to run, too, beside those that are selected.",
+        "--extend-select RULE,…",
     )
-    ignore: tuple[str, ...] = _field((), Shape.SELECTORS, "[]", "Rules not to run.", "--ignore RULES")
+    ignore: tuple[str, ...] = _field((), Shape.SELECTORS, "[]", "Rules not to run.", "--ignore RULE,…")
     preview: bool | None = _field(
-        False,
-        Shape.FLAG,
-        "false",
-        "Whether rules run that are not yet measured on public files.",
-        "--preview",
-        "Also run rules that are not yet measured on public files.",
+        False, Shape.FLAG, "false", "Also run rules that are not yet measured on public files.", "--preview"
     )
     per_file_ignores: tuple[tuple[Pattern, tuple[str, ...]], ...] = _field(
         (), Shape.IGNORES, "{}", "File pattern → rules not to run on these files."
@@ -101,12 +93,7 @@ class Settings(NamedTuple):
         (), Shape.SEVERITIES, "{}", "Rule → severity, or `off`."
     )
     target: tuple[str, ...] | None = _field(
-        (),
-        Shape.TARGETS,
-        "[]",
-        "The consumers that the files are meant for; empty: all of them.",
-        "--target CONSUMERS",
-        "Keep the rules that matter to these consumers",
+        (), Shape.TARGETS, "[]", "Keep the rules that matter to these consumers.", "--target CONSUMERS"
     )
     exclude: tuple[Pattern, ...] = _field(
         (), Shape.PATTERNS, "[]", "Files and folders not to look at, as in a `.gitignore`."
@@ -122,31 +109,16 @@ class Settings(NamedTuple):
         ("full",), Shape.STRINGS, '["full"]', "How to report: `concise`, to a file `sarif=out.sarif`."
     )
     model_paths: tuple[Path, ...] = _field(
-        (),
-        Shape.PATHS,
-        "[]",
-        "Folders in which `model://` is looked up.",
-        "--model-path FOLDER",
-        "A folder in which to look for models.",
+        (), Shape.PATHS, "[]", "Folders in which to look for models.", "--model-path FOLDER"
     )
     package_paths: tuple[Path, ...] = _field(
-        (),
-        Shape.PATHS,
-        "[]",
-        "Folders below which `package.xml` files are looked for.",
-        "--package-path FOLDER",
-        "A folder below which to look for ROS packages.",
+        (), Shape.PATHS, "[]", "Folders below which to look for ROS packages.", "--package-path FOLDER"
     )
     packages: tuple[tuple[str, Path], ...] = _field(
-        (), Shape.PLACES, "{}", "Package name → its folder.", "--package NAME=PATH", "Where a ROS package is."
+        (), Shape.PLACES, "{}", "Where ROS packages are: name and folder.", "--package NAME=PATH"
     )
     env: tuple[str, ...] = _field(
-        (),
-        Shape.STRINGS,
-        "[]",
-        "Environment variables that xacro may read.",
-        "--env NAME",
-        "An environment variable to pass to xacro.",
+        (), Shape.STRINGS, "[]", "Environment variables that xacro may read.", "--env NAME"
     )
     max_file_size: float = _field(
         SIZE_LIMIT / MEGABYTE, Shape.MEGABYTES, "256", "The size, in MB, from which on files are not read."
