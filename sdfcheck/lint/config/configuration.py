@@ -8,7 +8,6 @@ one to build on.
 from __future__ import annotations
 
 import os
-from copy import copy
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -56,8 +55,7 @@ class Configuration:
 
     def with_given(self, given: Settings) -> Configuration:
         """The same for a caller who sets something, of one for whom nothing was set."""
-        other = copy(self)
-        other.given, other._by_folder = given, {}
+        other = Configuration(trusted=self._trusted, given=given)
         other._fixed = self._fixed and self._fixed.under(given)
         return other
 
