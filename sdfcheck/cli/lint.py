@@ -104,10 +104,7 @@ def lint(**given: Any) -> int:
     PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
     among them is an argument for the expansion of xacro files.
     """
-    configuration = given["configuration"].with_given(taken(given))
-    fix = given["fix"] or given["fix_only"]
-    rewrites = fix or given["add_ignore"]
-    request = Request(**{**given, "configuration": configuration, "fix": fix, "rewrites": rewrites})
+    request = _request(given)
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
     if request.show_settings:
@@ -141,6 +138,13 @@ def lint(**given: Any) -> int:
     done = done._replace(gate=gate_of(request, settings.fail_on))
     _report(request, options, wanted, done, view_of(request, settings.fail_on))
     return 2 if notifier.failed else exit_code(request, done)
+
+
+def _request(given: dict[str, Any]) -> Request:
+    configuration = given["configuration"].with_given(taken(given))
+    fix = given["fix"] or given["fix_only"]
+    rewrites = fix or given["add_ignore"]
+    return Request(**{**given, "configuration": configuration, "fix": fix, "rewrites": rewrites})
 
 
 def _run(request: Request, paths: Sequence[Path], options: Options, notifier: Notifier) -> Run:

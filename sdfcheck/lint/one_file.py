@@ -15,7 +15,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config.reading import ArgumentSet
+    from sdfcheck.lint.config.settings import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import Xacro
     from sdfcheck.lint.fix import Fix

@@ -12,12 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.regular import MEGABYTE, read_named
-from sdfcheck.lint.config.settings import UNSET, Settings
+from sdfcheck.lint.config.settings import UNSET, ConfigFile, Settings
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config.reading import ConfigFile
-
     _Loaded = tuple[dict[str, Any], tuple[ConfigFile, ...]]
 
 PYPROJECT = "pyproject.toml"
@@ -123,7 +122,7 @@ def _configures_us(pyproject: str) -> bool:
 
 def _load(path: Path, root: Path | None, below: tuple[ConfigFile, ...], trusted: bool) -> _Loaded:
     """The values that a file sets, its own over those that it extends, and all these files."""
-    from sdfcheck.lint.config.reading import ConfigFile, parse_toml, read_table, shown
+    from sdfcheck.lint.config.reading import parse_toml, read_table
 
     path = Path(os.path.abspath(path))
     above = [file.path for file in below]
@@ -161,14 +160,10 @@ def _bytes(path: Path) -> bytes:
     try:
         return read_named(path, LARGEST)
     except OSError as error:
-        from sdfcheck.lint.config.reading import shown
-
         raise WrongUsage(f"cannot read {shown(path)}: {error.strerror}") from None
 
 
 def _text(path: Path) -> str:
-    from sdfcheck.lint.config.reading import shown
-
     try:
         return _bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:

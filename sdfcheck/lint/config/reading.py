@@ -9,78 +9,22 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.lint.config.settings import FIELDS, GIVEN, UNSET, Field, Settings, Shape
+from sdfcheck.lint.config.settings import (
+    FIELDS,
+    GIVEN,
+    UNSET,
+    ArgumentSet,
+    ConfigFile,
+    Field,
+    Pattern,
+    Settings,
+    Shape,
+)
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.relative import relative_path
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
-ArgumentSet = tuple[tuple[str, str], ...]
-"""Names and values of xacro arguments."""
-
-
 _MOST_MEGABYTES = 1e9
-
-
-class Pattern:
-    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is not valid."""
-
-    __slots__ = ("_spec", "glob", "root")
-
-    def __init__(self, root: Path, glob: str) -> None:
-        from pathspec import GitIgnoreSpec
-
-        self.root = root
-        self.glob = glob
-        self._spec = GitIgnoreSpec.from_lines([glob])
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Pattern) and (self.root, self.glob) == (other.root, other.glob)
-
-    def __hash__(self) -> int:
-        return hash((self.root, self.glob))
-
-    def __repr__(self) -> str:
-        return f"Pattern({str(self.root)!r}, {self.glob!r})"
-
-    def matches(self, path: Path) -> bool:
-        """Whether the pattern holds for a file, or for a folder above it."""
-        return bool(self.verdict(path))
-
-    def verdict(self, path: Path) -> bool | None:
-        """The same, but False if a pattern with ``!`` holds, and None if none does."""
-        relative = relative_path(path, self.root).replace(os.sep, "/")
-        return None if relative.startswith("../") else self._spec.check_file(relative).include
-
-
-class ConfigFile(NamedTuple):
-    """A configuration file's text, and the folder that its relative paths start from."""
-
-    path: Path
-    text: str
-    root: Path
-
-    def error(self, message: str, *keys: str) -> WrongUsage:
-        """The complaint, placed where the last of ``keys`` is after the others."""
-        return WrongUsage(f"{shown(self.path)}:{line_of(self.text, keys)}: {message}")
-
-
-def shown(path: Path) -> str:
-    """The path as people call it: relative, where it lies below the current folder."""
-    relative = relative_path(path)
-    return (str(path) if relative.startswith("..") else relative).replace(os.sep, "/")
-
-
-def line_of(text: str, keys: tuple[str, ...]) -> int:
-    """The line of the last of ``keys``, each looked for after the one before."""
-    bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
-    header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
-    place = header.start() if header else 0
-    for key in keys:
-        found = re.compile(rf"(?<![\w-]){re.escape(key)}(?![\w-])").search(bare, place)
-        if found:
-            place = found.start()
-    return bare.count("\n", 0, place) + 1
 
 
 def parse_toml(path: Path, text: str) -> dict[str, Any]:
@@ -120,7 +64,7 @@ def read_table(file: ConfigFile, table: Mapping[str, Any]) -> dict[str, Any]:
 
 
 class _Caller(ConfigFile):
-    """What a program or an editor gives in place of a file; its values have no lines."""
+    """The place of what a program or an editor gives instead of a file: none."""
 
     def error(self, message: str, *keys: str) -> WrongUsage:
         return WrongUsage(message)

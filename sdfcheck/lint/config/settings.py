@@ -7,17 +7,75 @@ options of commands, keywords of functions and settings of the language server f
 
 from __future__ import annotations
 
+import os
+import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, Configured
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.relative import relative_path, shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
-if TYPE_CHECKING:
-    from sdfcheck.lint.config.reading import ArgumentSet, ConfigFile, Pattern
+ArgumentSet = tuple[tuple[str, str], ...]
+"""Names and values of xacro arguments."""
+
+
+class Pattern:
+    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is not valid."""
+
+    __slots__ = ("_spec", "glob", "root")
+
+    def __init__(self, root: Path, glob: str) -> None:
+        from pathspec import GitIgnoreSpec
+
+        self.root = root
+        self.glob = glob
+        self._spec = GitIgnoreSpec.from_lines([glob])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Pattern) and (self.root, self.glob) == (other.root, other.glob)
+
+    def __hash__(self) -> int:
+        return hash((self.root, self.glob))
+
+    def __repr__(self) -> str:
+        return f"Pattern({str(self.root)!r}, {self.glob!r})"
+
+    def matches(self, path: Path) -> bool:
+        """Whether the pattern holds for a file, or for a folder above it."""
+        return bool(self.verdict(path))
+
+    def verdict(self, path: Path) -> bool | None:
+        """The same, but False if a pattern with ``!`` holds, and None if none does."""
+        relative = relative_path(path, self.root).replace(os.sep, "/")
+        return None if relative.startswith("../") else self._spec.check_file(relative).include
+
+
+class ConfigFile(NamedTuple):
+    """A configuration file's text, and the folder that its relative paths start from."""
+
+    path: Path
+    text: str
+    root: Path
+
+    def error(self, message: str, *keys: str) -> WrongUsage:
+        """The complaint, placed where the last of ``keys`` is after the others."""
+        return WrongUsage(f"{shown(self.path)}:{line_of(self.text, keys)}: {message}")
+
+
+def line_of(text: str, keys: tuple[str, ...]) -> int:
+    """The line of the last of ``keys``, each looked for after the one before."""
+    bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
+    header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
+    place = header.start() if header else 0
+    for key in keys:
+        found = re.compile(rf"(?<![\w-]){re.escape(key)}(?![\w-])").search(bare, place)
+        if found:
+            place = found.start()
+    return bare.count("\n", 0, place) + 1
 
 
 class Shape:

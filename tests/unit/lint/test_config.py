@@ -6,9 +6,8 @@ import pytest
 
 from sdfcheck.lint.config import show as config_show
 from sdfcheck.lint.config.configuration import Configuration, load
-from sdfcheck.lint.config.reading import Pattern, line_of
 from sdfcheck.lint.config.schema import render, schema
-from sdfcheck.lint.config.settings import FIELDS, Settings
+from sdfcheck.lint.config.settings import FIELDS, Pattern, Settings, line_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.wrong_usage import WrongUsage
 
