@@ -103,7 +103,7 @@ def _joint(element: Element) -> Entry:
     made = _entry(element, definition, _OF_JOINTS)
     if made.attributes.pop("type", None) == "fixed":
         made.children = [
-            c for c in made.children if c.element is None or not c.element.name.startswith("urdf:")
+            child for child in made.children if child.element is None or not _is_idle(child.element)
         ]
     for name in ("axis", "axis2"):
         axis, inner = element.find(name), definition.children.get(name) if definition is not None else None
@@ -117,6 +117,11 @@ def _joint(element: Element) -> Entry:
                 known = inner.children.get(part) if inner is not None else None
                 _lift_custom(place.add(_entry(written, known, without)), made)
     return made
+
+
+def _is_idle(element: Element) -> bool:
+    """Is it kept from a fixed joint of URDF, where it meant nothing? What a block said counts."""
+    return element.name.startswith("urdf:") and BLOCK not in element.attributes
 
 
 def _lift_custom(part: Entry, joint: Entry) -> None:

@@ -17,7 +17,7 @@ from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.joint import PRESERVING, Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.parts.shape import Material, Shape, Visual
 from sdfcheck.source.document import Element
@@ -33,7 +33,7 @@ _TRANSLATED = {
     "visual": frozenset({"geometry", "material", "origin"}),
 }
 """Element → the parts and attributes for which SDFormat has words; it has others under a prefix only."""
-_HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
+_HINTS = frozenset({*PRESERVING, "material"})
 _OF_MODELS = frozenset({"pose", "static", "frame", "joint", "link", "model", "include"})
 _MOTION = frozenset({"axis", "pose", "parent", "child"})
 

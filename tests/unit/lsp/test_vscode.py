@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 import sdfcheck
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lsp.register import make_server
 from sdfcheck.lsp.watch import SETTINGS, choices_of
 from sdfcheck.lsp.workspace import Choices
@@ -61,6 +62,8 @@ def test_each_setting_is_read(tmp_path: Path) -> None:
         value = not setting["default"] if setting["type"] == "boolean" else changed[setting["type"]]
         assert choices_of({key: value}, tmp_path) != Choices(), key
     assert names >= {*SETTINGS}
+    target = CONTRIBUTED["configuration"]["properties"]["sdfcheck.target"]
+    assert target["items"]["enum"] == [consumer.value for consumer in Consumer]
 
 
 def test_files_and_commands_of_the_manifest_exist() -> None:
