@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.load import opened
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.wrong_usage import WrongUsage
 
@@ -25,18 +25,15 @@ Description = Root | str | bytes | os.PathLike[str]
 """A path, a text (bytes, or a str that begins with ``<``), or what :func:`sdfcheck.load` gave."""
 
 
-def fix(  # noqa: PLR0913
+def fix(
     what: str | os.PathLike[str] | Iterable[os.PathLike[str]],
     *,
     unsafe: bool = False,
     write: bool = True,
-    select: Sequence[str] | None = None,
-    ignore: Sequence[str] = (),
-    preview: bool | None = None,
-    target: Sequence[str] | None = None,
     config: Path | None = None,
     isolated: bool = False,
     trust_config: bool = False,
+    **settings: Any,
 ) -> tuple[FixedFile, ...]:
     """Apply the fixes of what ``lint`` finds in files and folders.
 
@@ -49,16 +46,14 @@ def fix(  # noqa: PLR0913
         OSError: a file cannot be written.
     """
     from sdfcheck.files.overwrite import overwrite
-    from sdfcheck.lint.call import options_of, text_or_paths
-    from sdfcheck.lint.config.configuration import Configuration
+    from sdfcheck.lint.call import configured, text_or_paths
     from sdfcheck.lint.fix.fixer import fix_files
-    from sdfcheck.lint.session import run
+    from sdfcheck.lint.session import Options, run
 
     text, paths = text_or_paths(what)
     if text is not None:
         raise WrongUsage("only files are fixed: give a path")
-    configuration = Configuration(config, isolated=isolated, trusted=trust_config)
-    options = options_of(configuration, select=select, ignore=ignore, preview=preview, target=target)
+    options = Options(configured(config, isolated=isolated, trust_config=trust_config, **settings))
     changed = tuple(fix_files(run(paths, options), paths, options, unsafe=unsafe))
     for each in changed:
         if write and each.fixed:
@@ -98,17 +93,16 @@ def targets(
     """
     from sdfcheck.consumers.reaction import Consumer
     from sdfcheck.files.regular import read_named
-    from sdfcheck.lint.call import options_of
-    from sdfcheck.lint.config.configuration import Configuration
-    from sdfcheck.lint.session import run
+    from sdfcheck.lint.call import configured
+    from sdfcheck.lint.session import Options, run
     from sdfcheck.lint.targets import matrix
     from sdfcheck.source.sniff import sniff
 
     path = Path(what)
-    configuration = Configuration(config, isolated=isolated, trusted=trust_config)
-    options = options_of(configuration, target=[consumer.value for consumer in Consumer])
+    every = [consumer.value for consumer in Consumer]
+    configuration = configured(config, isolated=isolated, trust_config=trust_config, target=every)
     data = read_named(path, configuration.settings_for(path).size_limit)
-    return matrix(run([path], options), sniff(data, path), path)
+    return matrix(run([path], Options(configuration)), sniff(data, path), path)
 
 
 def inertia(what: Description) -> MassReport:
@@ -165,7 +159,4 @@ def as_json(what: Run | Diagnostic) -> Any:
 
 
 def _document(what: Description) -> Document:
-    if isinstance(what, Root):
-        return what.document
-    text = as_text(what)
-    return (load(what) if text is None else parse(text)).document  # type: ignore[arg-type]
+    return (what if isinstance(what, Root) else opened(what)).document

@@ -13,7 +13,7 @@ from itertools import groupby
 from pathlib import Path
 
 from sdfcheck.lint.config import schema as config_schema
-from sdfcheck.lint.config.reading import FIELDS, Field
+from sdfcheck.lint.config.settings import FIELDS, Field
 from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.run import RuleFacts
@@ -77,7 +77,7 @@ def table(rules: Sequence[RuleFacts]) -> str:
 
 def keys() -> str:
     """The keys of a configuration file."""
-    rows = [f"| `{key.key}` | {key.shape.value} | {_default(key)} | {key.summary} |" for key in FIELDS]
+    rows = [f"| `{key.key}` | {key.shape} | {_default(key)} | {key.summary} |" for key in FIELDS]
     return "\n".join(["| key | value | default | meaning |", "|---|---|---|---|", *rows]) + "\n"
 
 

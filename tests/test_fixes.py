@@ -17,7 +17,6 @@ from sdfcheck.lint.fix.fixer import FixedFile, applicable, fix_file
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.rulebook.trial import Trial, file_name
-from sdfcheck.lint.select import SILENT
 from sdfcheck.source.sniff import Kind, sniff
 from tests.fuzz.documents import Text, changed, fixtures
 from tests.harm_of_fixes import harm
@@ -45,7 +44,7 @@ def selected(data: bytes, path: Path) -> Selected:
 def some_fixed(data: bytes, path: Path, chance: Random, share: float, *, unsafe: bool) -> FixedFile:
     """The file after some of its fixes, drawn again in each round."""
     configuration = Configuration(None, isolated=True)
-    book = RuleBook(SILENT, None)
+    book = RuleBook()
     with Caches() as caches:
 
         def lint(file: Selected) -> tuple[Sequence[Diagnostic], int]:

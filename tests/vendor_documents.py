@@ -46,7 +46,7 @@ def cases() -> list[Case]:
     """Every case of the built-in tables."""
     return [
         case
-        for path in BUILT_IN
+        for path in BUILT_IN.values()
         for dialect in ("sdf", "urdf")
         for case in _Maker(vendor(path, dialect), dialect).all()
     ]

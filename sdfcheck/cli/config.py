@@ -9,7 +9,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
-from sdfcheck.lint.config.reading import FIELDS
+from sdfcheck.lint.config.settings import FIELDS
 
 
 @click.command(cls=Command)
@@ -33,5 +33,5 @@ def _lines() -> list[str]:
     lines = []
     for field in FIELDS:
         default = f" (default: {field.default})" if field.default else ""
-        lines += [f"{field.key:{width}}  {field.summary}", f"{'':{width}}  {field.shape.value}{default}"]
+        lines += [f"{field.key:{width}}  {field.summary}", f"{'':{width}}  {field.shape}{default}"]
     return lines

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from textwrap import wrap
 
@@ -13,9 +13,10 @@ from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import configured, formatted, sdf_version, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of
+from sdfcheck.files.library import Library
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
 from sdfcheck.formats.describe.place import describe
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN, known_tables
 from sdfcheck.formats.version import Version
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -61,15 +62,16 @@ def describe_command(
         deliver_lines(lines_of("\n".join(text(one) for one in found)), output_file)
 
 
-def _tables(element: str, configuration: Configuration) -> Collection[Path]:
-    """The tables of packs, where the question is about an element of a vendor that is not built in."""
+def _tables(element: str, configuration: Configuration) -> Mapping[str, Path]:
+    """The tables of vendors, with those of packs where the question is about one that is not built in."""
     prefixes = {step.partition(":")[0].removeprefix("@") for step in element.split("/") if ":" in step}
-    if prefixes <= {"sdf", "urdf", *map(prefix_of, BUILT_IN)}:
-        return ()
+    if prefixes <= {"sdf", "urdf", *BUILT_IN}:
+        return BUILT_IN
     from sdfcheck.lint.rulebook.rulebook import RuleBook
-    from sdfcheck.lint.select import SILENT
 
-    return RuleBook(SILENT, None).index(configuration.settings_in(Path.cwd())).tables.values()
+    settings = configuration.settings_in(Path.cwd())
+    RuleBook().index(settings)  # says what is wrong with a pack
+    return known_tables(Library(settings.search))
 
 
 def record(description: Description) -> dict[str, object]:

@@ -10,7 +10,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import targeted
 from sdfcheck.cli.parts.terminal import say
-from sdfcheck.lint.config.reading import FIELDS
+from sdfcheck.lint.config.settings import FIELDS
 from sdfcheck.source.wrong_usage import WrongUsage
 
 NAME = "sdfcheck.toml"

@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import (
-    ARGUMENT,
-    arguments_in,
-    check_arguments,
-    robots_of,
-    search_of,
-    surroundings,
-)
-from sdfcheck.cli.parts.options import PATH, colored, configured, listing, path, reported, targeted, written
+from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_arguments, robots_of
+from sdfcheck.cli.parts.options import PATH, colored, configured, path, reported, settable, taken, written
 from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.progress import Notifier, Progress
-from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
+from sdfcheck.cli.parts.shown import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import (
     emit,
     emit_lines,
@@ -32,9 +25,8 @@ from sdfcheck.cli.parts.terminal import (
     wants_links,
     width_of,
 )
-from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import GIVEN
 from sdfcheck.lint.parallel import run_in_parallel
-from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import Options, find, selected
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -47,70 +39,9 @@ _KINDS = (Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG)
 _STDIN = Path("-")
 
 
-class Request:
-    """The command line, as click read it."""
-
-    def __init__(self, given: Mapping[str, Any]) -> None:
-        self.__dict__.update(given)
-
-    paths: tuple[Path, ...]
-    select: tuple[str, ...] | None
-    extend_select: tuple[str, ...] | None
-    ignore: tuple[str, ...] | None
-    preview: bool | None
-    target: tuple[str, ...] | None
-    min_severity: str | None
-    max_diagnostics: int | None
-    no_fold: bool
-    fail_on: str | None
-    fail_on_missing: bool
-    max_warnings: int | None
-    exit_zero: bool
-    fix: bool
-    unsafe_fixes: bool
-    fix_only: bool
-    show_fixes: bool
-    diff: bool
-    add_ignore: bool
-    reason: str
-    baseline: Path | None
-    write_baseline: bool
-    output_format: tuple[str, ...]
-    output_file: Path | None
-    statistics: bool
-    stdin_filename: Path | None
-    kind: str | None
-    no_expand: bool
-    packages: tuple[str, ...]
-    package_paths: tuple[Path, ...]
-    model_paths: tuple[Path, ...]
-    variables: tuple[str, ...]
-    exclude: tuple[Path, ...]
-    changed_since: str
-    force_exclude: bool
-    skip_unrelated: bool
-    configuration: Configuration
-    show_files: bool
-    show_settings: bool
-    color: str
-    jobs: int | None
-    quiet: bool
-
-    @property
-    def rewrites(self) -> bool:
-        """Whether the files that are linted are changed."""
-        return self.fix or self.add_ignore
-
-
 @click.command(cls=Command)
 @click.argument("paths", nargs=-1, type=PATH)
-@listing("--select", "The rules to run: codes, names, families or ALL, separated by commas.")
-@listing("--extend-select", "Rules to run in addition to those that are selected.")
-@listing("--ignore", "Rules not to run.")
-@click.option(
-    "--preview/--no-preview", default=None, help="Also run rules that are not yet measured on public files."
-)
-@targeted("Keep the rules that matter to these consumers")
+@settable(*GIVEN)
 @click.option("--fix", is_flag=True, help="Apply safe fixes; report what is left.")
 @click.option(
     "--unsafe-fixes", is_flag=True, help="With --fix or --diff: also those that a person should check."
@@ -137,7 +68,6 @@ class Request:
     help="What the named files are, whatever they look like.",
 )
 @click.option("--no-expand", is_flag=True, help="Check xacro files only as they are written.")
-@surroundings
 @click.option(
     "--exclude",
     type=PATH,
@@ -174,7 +104,7 @@ def lint(**given: Any) -> int:
     PATHS are files, folders to walk (default: the current one), or - for stdin; NAME:=VALUE
     among them is an argument for the expansion of xacro files.
     """
-    request = Request(given | {"fix": given["fix"] or given["fix_only"]})
+    request = _request(given)
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
     if request.show_settings:
@@ -208,6 +138,13 @@ def lint(**given: Any) -> int:
     done = done._replace(gate=gate_of(request, settings.fail_on))
     _report(request, options, wanted, done, view_of(request, settings.fail_on))
     return 2 if notifier.failed else exit_code(request, done)
+
+
+def _request(given: dict[str, Any]) -> Request:
+    configuration = given["configuration"].with_given(taken(given))
+    fix = given["fix"] or given["fix_only"]
+    rewrites = fix or given["add_ignore"]
+    return Request(**{**given, "configuration": configuration, "fix": fix, "rewrites": rewrites})
 
 
 def _run(request: Request, paths: Sequence[Path], options: Options, notifier: Notifier) -> Run:
@@ -259,8 +196,6 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         raise WrongUsage("--stdin-filename needs - among the paths")
     options = Options(
         request.configuration,
-        Choice(request.select, request.extend_select or (), request.ignore or (), request.preview),
-        request.target,
         exclude=request.exclude,
         changed_since=request.changed_since,
         force_exclude=request.force_exclude,
@@ -270,8 +205,6 @@ def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:
         stdin_path=request.stdin_filename or Path("<stdin>"),
         expand=not request.no_expand,
         arguments=arguments,
-        search=search_of(request.packages, request.package_paths, request.model_paths),
-        variables=request.variables,
     )
     paths = tuple(path for path in paths if path != _STDIN)
     if arguments:

@@ -7,8 +7,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Protocol
 
+from sdfcheck.cli.parts.shown import Request
 from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.files.overwrite import Refused, overwrite
 from sdfcheck.files.regular import read_named
@@ -28,17 +28,6 @@ class Work(NamedTuple):
     verb: str
     participle: str
     change: Callable[[Run, Sequence[Path], Options], Iterator[FixedFile]]
-
-
-class Request(Protocol):
-    """The options about it."""
-
-    unsafe_fixes: bool
-    fix_only: bool
-    show_fixes: bool
-    add_ignore: bool
-    reason: str
-    quiet: bool
 
 
 def work(request: Request) -> Work:

@@ -19,7 +19,7 @@ from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.select import SILENT, covered
+from sdfcheck.lint.select import covered
 from sdfcheck.lint.wording import counted
 from sdfcheck.report.manual import facts_record, markdown
 from sdfcheck.source.visible import visible
@@ -72,7 +72,7 @@ def loaded(configuration: Configuration) -> tuple[RuleIndex, tuple[RuleFacts, ..
 
     Losses that conversions report, and findings of simulations, are listed with them."""
     settings = configuration.settings_in(Path.cwd())
-    book = RuleBook(SILENT, None)
+    book = RuleBook()
     reported = tuple(kind.facts for kind in (*LossKind, *SimKind))
     index = book.index(settings)
     for fault in index.faults:

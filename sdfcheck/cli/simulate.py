@@ -13,7 +13,7 @@ from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
 from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
 from sdfcheck.cli.parts.output import FORMATS, outputs, refuse_to_write, write
-from sdfcheck.cli.parts.shown import exit_code, gate_of, shown, view_of
+from sdfcheck.cli.parts.shown import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.consumers.engines import SIMULATORS as ENGINES
 from sdfcheck.consumers.engines import Engine, Limits, is_installed
@@ -40,21 +40,6 @@ def _simulators(
             near = did_you_mean(name, SIMULATORS) or f" (choose from {', '.join(SIMULATORS)})"
             raise WrongUsage(f"--in: unknown simulator `{name}`{near}")
     return tuple(dict.fromkeys(names))
-
-
-class Request:
-    """The options about what is shown, as click read them."""
-
-    def __init__(self, **given: Any) -> None:
-        self.__dict__.update(given)
-
-    min_severity: str | None
-    max_diagnostics: int | None
-    no_fold: bool
-    fail_on: str | None
-    fail_on_missing: bool
-    max_warnings: int | None
-    exit_zero: bool
 
 
 @click.command(cls=Command)

@@ -103,7 +103,8 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
 
     asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
-    done = lint([file], Options(**around._asdict(), target=asked), notify=notify)
+    configuration = around.configuration.with_given(around.configuration.given._replace(target=asked))
+    done = lint([file], Options(configuration, arguments=around.arguments), notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:

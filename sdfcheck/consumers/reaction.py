@@ -23,21 +23,31 @@ if TYPE_CHECKING:
 
 
 class Consumer(Enum):
-    """A program that reads robot descriptions."""
+    """A program that reads robot descriptions: one line has all that is known of it, but for its reactions."""
 
-    GAZEBO = "gazebo"
-    DRAKE = "drake"
-    URDFDOM = "urdfdom"
-    MUJOCO = "mujoco"
-    ROS = "ros"
-    PYBULLET = "pybullet"
-    PINOCCHIO = "pinocchio"
-    ISAAC = "isaac"
+    _value_: str
+    title: str
+    """Its name as its makers write it."""
+    reads: tuple[str, ...]
+    """The dialects that it reads."""
+    is_on_request: bool
+    """Are its reactions looked up only where it is a target?"""
 
-    @property
-    def title(self) -> str:
-        """Its name as its makers write it."""
-        return _TITLES[self]
+    def __new__(
+        cls, name: str, title: str = "", reads: tuple[str, ...] = (), is_on_request: bool = True
+    ) -> Consumer:
+        made = object.__new__(cls)
+        made._value_, made.title, made.reads, made.is_on_request = name, title, reads, is_on_request
+        return made
+
+    GAZEBO = "gazebo", "Gazebo", ("sdf", "urdf"), False
+    DRAKE = "drake", "Drake", ("sdf", "urdf"), False
+    URDFDOM = "urdfdom", "urdfdom", ("urdf",), False
+    MUJOCO = "mujoco", "MuJoCo", ("urdf",), False
+    ROS = "ros", "ROS", ("urdf",)
+    PYBULLET = "pybullet", "PyBullet", ("urdf",)
+    PINOCCHIO = "pinocchio", "Pinocchio", ("urdf",)
+    ISAAC = "isaac", "Isaac Sim", ("urdf",)
 
     def build(self, robot: Model) -> GazeboRobot:
         """The robot that it makes of a URDF robot; ValueError where that is not known."""
@@ -48,31 +58,9 @@ class Consumer(Enum):
         return GazeboRobot(robot)
 
 
-_TITLES = {
-    Consumer.GAZEBO: "Gazebo",
-    Consumer.DRAKE: "Drake",
-    Consumer.URDFDOM: "urdfdom",
-    Consumer.MUJOCO: "MuJoCo",
-    Consumer.ROS: "ROS",
-    Consumer.PYBULLET: "PyBullet",
-    Consumer.PINOCCHIO: "Pinocchio",
-    Consumer.ISAAC: "Isaac Sim",
-}
-
-
-READS: Mapping[Consumer, tuple[str, ...]] = {
-    Consumer.GAZEBO: ("sdf", "urdf"),
-    Consumer.DRAKE: ("sdf", "urdf"),
-    Consumer.URDFDOM: ("urdf",),
-    Consumer.MUJOCO: ("urdf",),
-    Consumer.ROS: ("urdf",),
-    Consumer.PYBULLET: ("urdf",),
-    Consumer.PINOCCHIO: ("urdf",),
-    Consumer.ISAAC: ("urdf",),
-}
+READS: Mapping[Consumer, tuple[str, ...]] = {consumer: consumer.reads for consumer in Consumer}
 """Consumer → the dialects that it reads."""
-
-ON_REQUEST = frozenset(("ros", "pybullet", "pinocchio", "isaac"))
+ON_REQUEST = frozenset(consumer.value for consumer in Consumer if consumer.is_on_request)
 """The names of the consumers whose reactions are looked up only where they are a target."""
 
 

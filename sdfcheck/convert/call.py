@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.consumers.reaction import Consumer
@@ -10,7 +12,7 @@ from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.obstacles import refusals
-from sdfcheck.robot.load import as_text, load, parse
+from sdfcheck.robot.load import opened
 from sdfcheck.robot.root import Root
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -19,7 +21,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
 
-def convert(
+def convert(  # noqa: PLR0913
     what: Root | str | bytes | os.PathLike[str],
     to: str,
     *,
@@ -27,11 +29,12 @@ def convert(
     model: str = "",
     verify: bool = True,
     like: Consumer | None = None,
+    tables: Sequence[Path] = (),
 ) -> Conversion:
     """Convert a description to ``"sdf"`` (from URDF, xacro or another version) or to ``"urdf"``.
 
     ``what`` is a path, a text (bytes, or a str that begins with ``<``) or what ``load``
-    gave. ``version`` is that of the SDFormat to write; ``model`` the one to write as URDF
+    gave, ``tables`` as for it. ``version`` is that of the SDFormat to write; ``model`` the one to write as URDF
     where there are several; with ``like=Consumer.GAZEBO`` a robot of URDF is written as
     Gazebo builds it. The result has the ``text``, the ``losses`` and, with ``verify``, the
     ``verification``: only one that ``is_equal`` is the same robot. Nothing is written.
@@ -41,7 +44,7 @@ def convert(
         sdfcheck.WrongUsage: there is no such conversion.
         sdfcheck.NotConvertible: its own consumer refuses the file, or the target cannot say it in any way.
     """
-    document = _read(what).document
+    document = (what if isinstance(what, Root) else opened(what, tables)).document
     if stopping := refusals(document):
         first = stopping[0]
         raise NotConvertible(Loss(LossKind.NOT_CONVERTIBLE, first.span, first.message, first.severity))
@@ -50,11 +53,8 @@ def convert(
         from sdfcheck.convert.sdf_to_urdf import convert as to_urdf
 
         return to_urdf(document, Options(model=model), verified=verify)
-    if (
-        to == "sdf"
-        and not model
-        and (like is None or (like is Consumer.GAZEBO and document.kind is Kind.URDF))
-    ):
+    has_likeness = like is None or (like is Consumer.GAZEBO and document.kind is Kind.URDF)
+    if to == "sdf" and not model and has_likeness:
         return _to_sdf(document, _version(version), verify=verify, like=like)
     asked = {"version": version, "model": model, "like": like.title if like else ""}
     conditions = "".join(f", {name} {value}" for name, value in asked.items() if value)
@@ -77,10 +77,3 @@ def _version(text: str | None) -> Version:
     if version is None or not Version(1, 4) <= version <= NEWEST:
         raise WrongUsage(f"`{text}` is not a version of SDFormat from 1.4 to {NEWEST}")
     return version
-
-
-def _read(what: Root | str | bytes | os.PathLike[str]) -> Root:
-    if isinstance(what, Root):
-        return what
-    text = as_text(what)
-    return load(what) if text is None else parse(text)  # type: ignore[arg-type]

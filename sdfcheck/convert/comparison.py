@@ -172,14 +172,13 @@ class _Excuses:
         """The names in what is reported at includes."""
 
     def excuse(self, one: Divergence, part: Entry) -> bool:
-        if (
-            any(path in one.path for path in _NOT_COMPARED)
-            or one.name.rpartition(":")[2] in seen_from_links()
+        at = one.element
+        if any(path in one.path for path in _NOT_COMPARED) or (
+            at is not None and one.name.rpartition(":")[2] in seen_from_links(at.document)
         ):
             return True
         if one.element in self.translated and one.element is not part.element:
             return True
-        at = one.element
         while at is not None and at is not part.element:
             if self.knows(at) or self.knows_brought(at):
                 return True

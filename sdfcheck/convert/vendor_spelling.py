@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
 
 from sdfcheck.convert.writer import numbers
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.altered import Xml, declared_prefixes
-from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.document import Comment, Document, Element
 from sdfcheck.source.sniff import Kind
 
 
@@ -87,6 +86,45 @@ class Spelling:
             elif isinstance(child, Element) and not (here is not None and here.carrier == f"/{child.name}"):
                 self._child(child, node, tag, other)
         return node
+
+    def write(self, element: Element, node: Xml) -> Xml | None:
+        """Write a tag into the counterpart of its parent; the written element, None for an attribute."""
+        tag, place = self.source.tags.get(element.name), self.place(element.name, node)
+        if tag is not None and place is not None and place.carrier == "attribute" and place.slot is not None:
+            here = _place_in(tag, element)
+            value = value_at(element, here.carrier) if here is not None else None
+            if here is not None and here.slot is not None and value is not None:
+                node.attributes[element.name] = self.value(value.text, here.slot, place.slot)
+            return None
+        node.append(made := self.element(element))
+        return made
+
+    def write_attribute(self, element: Element, name: str, node: Xml) -> bool:
+        """Write an attribute into the counterpart of its element; False if nobody would look for it there."""
+        here, place = self.attribute(element, name), self.place(name, node)
+        if here is None or place is None:
+            return False
+        text = element.attributes[name]
+        text = text if place.slot is None else self.value(text, here, place.slot)
+        if place.carrier == "attribute":
+            node.attributes[name] = text
+        else:
+            _carry(node.add(name), place.carrier, text)
+        return True
+
+    def attribute(self, element: Element, name: str) -> Slot | None:
+        """The meaning of an attribute to its consumer; None if it has none there."""
+        tag = self.source.tags.get(name)
+        places = () if tag is None else tag.places
+        return next(
+            (each.slot for each in places if each.carrier == "attribute" and each.encloses(element)), None
+        )
+
+    def place(self, name: str, node: Xml) -> Place | None:
+        """The place of a tag in the other dialect that is in the counterpart of its parent."""
+        tag = self.target.tags.get(name)
+        places = () if tag is None else tag.places
+        return next((place for place in places if place.path[0].name == node.name), None)
 
     def value(self, text: str, here: Slot, there: Slot) -> str:
         """A value in the other dialect's words."""
@@ -178,14 +216,12 @@ def uses(root: Element, prefix: str) -> bool:
     return any(name.startswith(f"{prefix}:") for name in root.document.names)
 
 
-def spellings(
-    source: Kind, target: Kind, around: Surroundings, contains: Callable[[str], bool] = lambda _: True
-) -> dict[str, Spelling]:
-    """Prefix → how to write its tags, of all that a table is about and that the source ``contains``."""
+def spellings(document: Document, target: Kind, around: Surroundings) -> dict[str, Spelling]:
+    """Prefix → how to write its tags, of all that a table is about."""
+    source = document.kind.value
     return {
-        prefix_of(table): Spelling(vendor(table, source.value), vendor(table, target.value), around)
-        for table in BUILT_IN
-        if contains(f"{prefix_of(table)}:")
+        prefix: Spelling(vendor(table, source), vendor(table, target.value), around)
+        for prefix, table in known_tables(document.library).items()
     }
 
 

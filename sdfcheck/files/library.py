@@ -31,13 +31,15 @@ MODEL_PATH_VARIABLES = (
 class SearchPaths(NamedTuple):
     """Where names are looked for: folders of models, folders of packages, packages by name.
 
-    ``named`` are the folders whose files a person asked about.
+    ``named`` are the folders whose files a person asked about, ``tables`` those of vendors' own
+    elements that are known in addition to the built-in ones.
     """
 
     models: tuple[Path, ...] = ()
     packages_in: tuple[Path, ...] = ()
     packages: tuple[tuple[str, Path], ...] = ()
     named: tuple[Path, ...] = ()
+    tables: tuple[Path, ...] = ()
 
     @property
     def model_folders(self) -> Iterator[Path]:

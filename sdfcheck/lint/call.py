@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from sdfcheck.files.library import SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.select import Choice, check_targets
 from sdfcheck.lint.session import Options, run
 from sdfcheck.robot.load import as_text
 
@@ -21,24 +20,20 @@ if TYPE_CHECKING:
 def lint(  # noqa: PLR0913
     what: str | bytes | os.PathLike[str] | Iterable[os.PathLike[str]],
     *,
-    select: Sequence[str] | None = None,
-    extend_select: Sequence[str] = (),
-    ignore: Sequence[str] = (),
-    preview: bool | None = None,
-    target: Sequence[str] | None = None,
     name: str | os.PathLike[str] = "<text>",
     arguments: Mapping[str, str] | None = None,
-    model_paths: Sequence[Path] = (),
-    package_paths: Sequence[Path] = (),
     config: Path | None = None,
     isolated: bool = False,
     trust_config: bool = False,
     executor: Executor | None = None,
+    **settings: Any,
 ) -> Run:
     """Lint files, folders, or a text.
 
     ``what`` is a path, several paths, or a text: bytes, or a str that begins with ``<``. A text has
-    ``name`` as its path. The other arguments are options of the command.
+    ``name`` as its path. ``settings`` are those that the command takes, too, named as in a
+    configuration: ``select``, ``extend_select``, ``ignore``, ``preview``, ``target``,
+    ``model_paths``, ``package_paths``, ``packages``, ``env``. The others are options of the command.
 
     The workers of an ``executor`` lint portions of the files: processes, threads, or a cluster that
     has the same files. Files whose worker died are in ``skipped``, with the reason.
@@ -47,38 +42,26 @@ def lint(  # noqa: PLR0913
         sdfcheck.WrongUsage: a path does not exist, a rule is unknown, a configuration is faulty.
     """
     text, paths = text_or_paths(what)
-    options = options_of(
-        Configuration(config, isolated=isolated, trusted=trust_config),
-        select=select,
-        extend_select=extend_select,
-        ignore=ignore,
-        preview=preview,
-        target=target,
-        search=SearchPaths(tuple(model_paths), tuple(package_paths)),
+    options = Options(
+        configured(config, isolated=isolated, trust_config=trust_config, **settings),
+        stdin=text,
+        stdin_path=Path(name),
+        arguments=tuple((arguments or {}).items()),
     )
-    options = options._replace(stdin=text, stdin_path=Path(name), arguments=tuple((arguments or {}).items()))
     return _run(paths, options, executor)
 
 
-def options_of(  # noqa: PLR0913
-    configuration: Configuration,
-    *,
-    select: Sequence[str] | None = None,
-    extend_select: Sequence[str] = (),
-    ignore: Sequence[str] = (),
-    preview: bool | None = None,
-    target: Sequence[str] | None = None,
-    search: SearchPaths | None = None,
-) -> Options:
-    """The options of the command; raises WrongUsage for an unknown target."""
-    if target:
-        check_targets(tuple(target))
-    return Options(
-        configuration,
-        Choice(tuple(select) if select is not None else None, tuple(extend_select), tuple(ignore), preview),
-        tuple(target) if target is not None else None,
-        search=search or SearchPaths(),
-    )
+def configured(config: Path | None, *, isolated: bool, trust_config: bool, **settings: Any) -> Configuration:
+    """The configuration with the settings of a caller.
+
+    Raises: WrongUsage: a value is not of its setting's form, or the configuration is faulty.
+    """
+    given = UNSET
+    if settings:
+        from sdfcheck.lint.config.reading import read_given
+
+        given = read_given(settings)
+    return Configuration(config, isolated=isolated, trusted=trust_config, given=given)
 
 
 def _run(paths: tuple[Path, ...], options: Options, executor: Executor | None) -> Run:

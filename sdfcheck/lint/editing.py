@@ -12,7 +12,7 @@ from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.obstacles import errors
 from sdfcheck.robot.graph import Model, Part, Scope
-from sdfcheck.robot.load import Unreadable, as_text, load, parse
+from sdfcheck.robot.load import Unreadable, as_text, opened, parse
 from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
 from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.splice import replaced, splice
@@ -268,25 +268,24 @@ class Edit:
         return [(start, end, text) for (start, end), text in sorted(self._edits.items())]
 
 
-def edit(what: str | bytes | os.PathLike[str]) -> Edit:
+def edit(what: str | bytes | os.PathLike[str], *, tables: Sequence[Path] = ()) -> Edit:
     """Open a file to change it: ``with sdfcheck.edit("robot.sdf") as robot:``.
 
     ``what`` is the path of an SDFormat or URDF file, or a text (bytes, or a str that begins with
     ``<``), whose changed ``text`` is then read from the result. The expansion of a xacro file
-    cannot be edited: the file itself can.
+    cannot be edited: the file itself can. ``tables`` are as for ``load``.
 
     Raises:
         OSError: the file cannot be read.
         Unreadable: it holds no robot description.
         EditError: the file is one for xacro.
     """
-    text = as_text(what)
-    root = load(what) if text is None else parse(text)  # type: ignore[arg-type]
+    root = opened(what, tables)
     if root.document.is_expanded:
         raise EditError(
             f"{root.document.path} is expanded by xacro: its text cannot be edited through the robot"
         )
-    return Edit(root, Path(os.fsdecode(what)) if text is None else None)
+    return Edit(root, Path(os.fsdecode(what)) if as_text(what) is None else None)
 
 
 def _text(value: Writable) -> str:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.vendor import prefix_of
+from sdfcheck.formats.vendor import used_tables
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import EXTENSION, RuleFacts, reactions
@@ -64,7 +63,6 @@ class Dispatch:
 
     def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
         self.index = index
-        self.tables = index.tables
         self.severities = active.severities
         self.targets = active.targets
         # The consumers that somebody asks about: as a target, or by a rule that is off by default.
@@ -84,14 +82,6 @@ class Dispatch:
         """Subjects, each with the rules that look at them."""
         self._of_kind: dict[Kind, list[tuple[Subjects, list[RuleFacts]]]] = {}
 
-    def with_table(self, table: Path) -> Dispatch:
-        """The same with another table of a vendor's elements."""
-        from copy import copy
-
-        other = copy(self)
-        other.tables = {**self.tables, prefix_of(table): table}
-        return other
-
     def groups_of(self, kind: Kind) -> list[tuple[Subjects, list[RuleFacts]]]:
         """Those of the groups that documents of a kind can have subjects for."""
         found = self._of_kind.get(kind)
@@ -107,7 +97,7 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     for analysis in analyses(document):
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
-    tables = _tables(document, dispatch)
+    tables = used_tables(document)
     for subjects, rules in dispatch.groups_of(document.kind):
         if seen := subjects.of(document, tables):
             for rule in rules:
@@ -129,12 +119,6 @@ def _analysis(path: str) -> Callable[[Document], Iterable[object]]:
     module, _, function = path.partition(":")
     found: Callable[[Document], Iterable[object]] = getattr(import_module(module), function)
     return found
-
-
-def _tables(document: Document, dispatch: Dispatch) -> list[Path]:
-    """The tables of the vendors whose prefix a document seems to use."""
-    text = document.source.text
-    return [table for prefix, table in dispatch.tables.items() if f"{prefix}:" in text]
 
 
 def explain(problems: Iterable[object], document: Document, dispatch: Dispatch) -> Iterator[Diagnostic]:

@@ -34,12 +34,11 @@ def own_consumer(document: Document) -> Consumer | None:
 
 def errors(document: Document) -> list[Diagnostic]:
     """The errors of a document, by the rules that run by default."""
-    from sdfcheck.lint.config.configuration import Settings
+    from sdfcheck.lint.config.settings import Settings
     from sdfcheck.lint.engine import lint_document
     from sdfcheck.lint.rulebook.rulebook import RuleBook
-    from sdfcheck.lint.select import SILENT
 
-    found = lint_document(document, RuleBook(SILENT, None).dispatch(Settings(), document.path))
+    found = lint_document(document, RuleBook().dispatch(Settings(), document.path))
     return [one for one in found if one.severity is Severity.ERROR]
 
 

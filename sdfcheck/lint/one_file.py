@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config.reading import ArgumentSet
+    from sdfcheck.lint.config.settings import ArgumentSet
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import Xacro
     from sdfcheck.lint.fix import Fix

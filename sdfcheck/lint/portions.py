@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
 
     from sdfcheck.lint.run import RuleFacts
-    from sdfcheck.lint.select import Choice
 
 DIED = "the process that linted it died, perhaps for lack of memory"
 LARGEST = 50
@@ -79,7 +78,7 @@ def lint_portion(portion: Portion) -> Done | Exception:
     notices: list[Notice] = []
     try:
         _check_folder(portion)
-        book = _book(portion.key, portion.options.choice, portion.options.target)
+        book = _book(portion.key)
         with Linter(portion.options, book) as linter:
             part = linter.lint(portion.found, notify=notices.append if portion.is_listening else None)
     except Exception as error:
@@ -89,14 +88,14 @@ def lint_portion(portion: Portion) -> Done | Exception:
 
 
 @lru_cache(maxsize=4)
-def _book(key: bytes, choice: Choice, target: tuple[str, ...] | None) -> RuleBook:
+def _book(key: bytes) -> RuleBook:
     """The rule book of a run, which its portions share."""
-    return RuleBook(choice, target)
+    return RuleBook()
 
 
 def rules_for(files: Iterable[Path], options: Options) -> dict[str, RuleFacts]:
     """The facts of the rules that run on some of the files, by code."""
-    book = RuleBook(options.choice, options.target)
+    book = RuleBook()
     chosen = {id(active): active for active in (book.active(options.settings_for(f), f) for f in files)}
     return {facts.code: facts for active in chosen.values() for facts in active.facts}
 

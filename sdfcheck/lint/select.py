@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.source.record import NamedTuple
@@ -39,18 +40,6 @@ def _others(code: str, rules: Sequence[RuleFacts]) -> str:
     """For a code that nothing has: those that its family has."""
     own = sorted(facts.code for facts in rules if code.upper().rstrip("0123456789") == facts.family)
     return f"; {own[0].rstrip('0123456789')} has {own[0]} to {own[-1]}" if own else ""
-
-
-class Choice(NamedTuple):
-    """The choice of rules in one place (a configuration, the command line); ``select`` None: no choice."""
-
-    select: tuple[str, ...] | None = None
-    extend_select: tuple[str, ...] = ()
-    ignore: tuple[str, ...] = ()
-    preview: bool | None = None
-
-
-SILENT = Choice()
 
 
 class ActiveRules(NamedTuple):
@@ -90,23 +79,20 @@ def covered(
 
 def select(
     rules: Sequence[RuleFacts],
-    configured: Choice,
-    given: Choice = SILENT,
-    *,
-    severity: Iterable[tuple[str, Severity | None]] = (),
+    settings: Settings,
     targets: Sequence[str] = (),
 ) -> ActiveRules:
-    """The rules that a configuration and the command line choose; a severity of None turns a rule off.
+    """The rules that settings choose, with those of the caller; a severity of None turns a rule off.
 
     A rule that is off by default runs without being selected if ``targets`` names a
     consumer that it is about. A rule stays if it affects one of the targets, or names no
     consumer at all.
     """
-    severity = tuple(severity)
+    given, severity = settings.given or UNSET, settings.severity
     wanted = frozenset(targets)
     off = tuple(selector for selector, level in severity if level is None)
-    file = configured._replace(ignore=(*configured.ignore, *off))
-    previews = configured.preview if given.preview is None else given.preview
+    file = settings._replace(ignore=(*settings.ignore, *off))
+    previews = settings.preview if given.preview is None else given.preview
     hidden = frozenset() if previews else frozenset(facts.code for facts in rules if facts.preview)
     initial = frozenset(f.code for f in rules if f.default or not wanted.isdisjoint(f.affects)) - hidden
     active = _apply(rules, initial, file, hidden)
@@ -145,7 +131,7 @@ def check_targets(targets: Iterable[str]) -> None:
 
 
 def _apply(
-    rules: Sequence[RuleFacts], active: frozenset[str], choice: Choice, hidden: frozenset[str]
+    rules: Sequence[RuleFacts], active: frozenset[str], choice: Settings, hidden: frozenset[str]
 ) -> frozenset[str]:
     """``active`` as changed by one choice, the least specific selectors first."""
     chosen = (*(choice.select or ()), *choice.extend_select)

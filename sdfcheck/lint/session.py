@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.discover import DiscoveredFile, Found, discover
 from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.library import Library
 from sdfcheck.files.regular import (
     OUTSIDE,
     Identity,
@@ -22,11 +22,12 @@ from sdfcheck.files.regular import (
     open_regular,
     read_on,
 )
-from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.one_file import Caches, Selected, lint_file, lint_included
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
-from sdfcheck.lint.select import SILENT, ActiveRules, Choice
+from sdfcheck.lint.select import ActiveRules
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
@@ -66,13 +67,11 @@ class Options(NamedTuple):
 
     ``kind`` is what named files are taken for, whatever they look like. ``stdin`` is a
     text to lint under the name ``stdin_path``. xacro files are expanded with ``arguments``
-    (in place of those of the configuration) unless ``expand`` is False. ``search`` are
-    further places of models and packages, ``variables`` environment variables that xacro may read.
+    (in place of those of the configuration) unless ``expand`` is False. Files below the folders
+    ``named`` may refer to one another.
     """
 
     configuration: Configuration
-    choice: Choice = SILENT
-    target: tuple[str, ...] | None = None
     force_exclude: bool = False
     skip_unrelated: bool = False
     kind: Kind | None = None
@@ -80,21 +79,20 @@ class Options(NamedTuple):
     stdin_path: Path = Path("<stdin>")
     expand: bool = True
     arguments: tuple[tuple[str, str], ...] = ()
-    search: SearchPaths = SearchPaths()
-    variables: tuple[str, ...] = ()
+    named: tuple[Path, ...] = ()
     exclude: tuple[Path, ...] = ()
     """Files and folders that are left out, also where they are named."""
     changed_since: str = ""
     """A commit of git: only files are linted that a change since then can affect."""
 
     def settings_for(self, path: Path) -> Settings:
-        """The settings of a file, with what the caller adds."""
-        return self.configuration.settings_for(path).extended(self.search, self.variables)
+        """The settings of a file."""
+        return self.configuration.settings_for(path)
 
     def about(self, paths: Sequence[Path]) -> Options:
         """The settings of a run on some paths: files below the folders among them may refer to one another."""
         folders = tuple(path for path in paths if os.path.isdir(path))
-        return self._replace(search=self.search._replace(named=folders)) if folders else self
+        return self._replace(named=folders) if folders else self
 
 
 class InternalError(Exception):
@@ -145,8 +143,8 @@ class Linter:
 
     def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
-        self._book = book or RuleBook(options.choice, options.target)
-        self._caches = Caches(expand=options.expand, arguments=options.arguments, named=options.search.named)
+        self._book = book or RuleBook()
+        self._caches = Caches(expand=options.expand, arguments=options.arguments, named=options.named)
 
     def __enter__(self) -> Linter:
         return self
@@ -322,7 +320,7 @@ _DESCRIPTIONS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG, K
 
 def _refuse_to_show(path: Path, options: Options) -> None:
     """Make sure that a link to what is not a robot description does not lead out: findings would show the text."""
-    search = options.settings_for(path).search._replace(named=options.search.named)
+    search = options.settings_for(path).search._replace(named=options.named)
     around = Library(search).around(path)
     if not around.hold(path, os.path.realpath(path)):
         raise Outside(path, f"a link to what is not a robot description, {OUTSIDE}")

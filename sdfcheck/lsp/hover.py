@@ -8,6 +8,7 @@ from pathlib import Path
 from sdfcheck.formats import plugins
 from sdfcheck.formats.describe.description import HOW_OFTEN, Description, summary
 from sdfcheck.formats.describe.spot import Spot, describe_custom, spot
+from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lsp.completion.likely import plain
@@ -114,13 +115,12 @@ def describe_at(document: Document, cursor: Cursor) -> Description | None:
         return _in_words("xacro", [own], attribute) if own in KEYWORDS else None
     if document.kind is Kind.SRDF:
         return _in_words("srdf", names, attribute)
-    is_urdf = names[0] == "robot"
+    is_urdf, tables = names[0] == "robot", known_tables(document.library)
     if attribute and ":" in attribute and not attribute.startswith("xmlns"):
-        return describe_custom(f"@{attribute}", names, is_urdf=is_urdf)
+        return describe_custom(f"@{attribute}", names, tables, is_urdf=is_urdf)
     if ":" in element.name:
-        if attribute:
-            return describe_custom(f"{element.name}/@{attribute}", names[:-1], is_urdf=is_urdf)
-        return describe_custom(element.name, names[:-1], is_urdf=is_urdf)
+        name = f"{element.name}/@{attribute}" if attribute else element.name
+        return describe_custom(name, names[:-1], tables, is_urdf=is_urdf)
     if is_urdf and "ros2_control" in names:
         return _in_words("ros2_control", names[names.index("ros2_control") :], attribute)
     if "plugin" in names[:-1]:

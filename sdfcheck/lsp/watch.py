@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import re
 import time
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
@@ -15,9 +16,12 @@ from lsprotocol import types
 
 from sdfcheck.files.regular import read_regular
 from sdfcheck.lint.config.configuration import NAMES
+from sdfcheck.lint.config.reading import read_value
+from sdfcheck.lint.config.settings import GIVEN, UNSET, Field, Shape
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import NAME, path_of, plain
 from sdfcheck.lsp.workspace import Choices
+from sdfcheck.source.wrong_usage import WrongUsage
 
 _DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"
@@ -167,19 +171,15 @@ def _stamp(path: str) -> float:
         return 0.0
 
 
-_SETTINGS: Mapping[str, tuple[str, type | tuple[type, ...], str]] = {
-    "configuration": ("configuration", str, "the path of a file"),
-    "select": ("select", (str, list), "a list of rules"),
-    "extendSelect": ("extend_select", (str, list), "a list of rules"),
-    "ignore": ("ignore", (str, list), "a list of rules"),
-    "preview": ("preview", bool, "true or false"),
-    "target": ("target", (str, list), "a list of consumers"),
-    "trustConfig": ("trust", bool, "true or false"),
-    "expandXacro": ("expand", bool, "true or false"),
-    "codeLens": ("lenses", bool, "true or false"),
-    "workspaceDiagnostics": ("sweep", bool, "true or false"),
+_FLAGS = {
+    "trustConfig": "trust",
+    "expandXacro": "expand",
+    "codeLens": "lenses",
+    "workspaceDiagnostics": "sweep",
 }
-"""Name of a setting → that of the choice, the types of its value, and what it must be."""
+"""Settings of the server itself → the names of their choices."""
+SETTINGS = {re.sub(r"_(.)", lambda match: match[1].upper(), name): field for name, field in GIVEN.items()}
+"""The settings of a run, as editors name them."""
 
 
 def choices_of(given: Any, folder: Path) -> Choices:
@@ -189,23 +189,33 @@ def choices_of(given: Any, folder: Path) -> Choices:
         own = inner
     if not isinstance(own, Mapping):
         return Choices()
-    taken: dict[str, Any] = {}
-    faults = []
-    for name, (choice, kinds, expected) in _SETTINGS.items():
-        value: Any = own.get(name)
-        if value is None:
-            continue
-        is_list = isinstance(value, list) and not all(isinstance(each, str) for each in value)
-        is_right = isinstance(value, kinds) and not is_list
-        if not is_right:
-            faults.append(f"setting `{name}` is {json.dumps(value)}; it must be {expected}")
-        elif kinds is bool:
-            taken[choice] = value
-        elif kinds is str:
-            taken[choice] = folder / os.path.expanduser(value) if value else None
-        else:
-            words = value.split(",") if isinstance(value, str) else value
-            taken[choice] = tuple(filter(None, (word.strip() for word in words)))
-    for name in ("select", "target", "preview"):
-        taken[name] = taken.get(name) or None
-    return Choices(**taken, faults=tuple(faults))
+    faults: list[str] = []
+    flags = {name: _read(key, _FLAG, own.get(key), folder, faults) for key, name in _FLAGS.items()}
+    read = {
+        field.attribute: _read(key, field, own.get(key), folder, faults) for key, field in SETTINGS.items()
+    }
+    return Choices(
+        _read("configuration", _FILE, own.get("configuration") or None, folder, faults),
+        UNSET._replace(**{name: value for name, value in read.items() if value}),
+        **{name: value for name, value in flags.items() if value is not None},
+        faults=tuple(faults),
+    )
+
+
+_FILE, _FLAG = Field("", Shape.PATH, "", ""), Field("", Shape.FLAG, "", "")
+
+
+def _read(name: str, field: Field, value: Any, folder: Path, faults: list[str]) -> Any:
+    """The value of a setting, None where it is not given or of a wrong kind; lists may be words with commas."""
+    if isinstance(value, str) and field.shape not in {Shape.PATH, Shape.FLAG}:
+        value = value.split(",")
+    if isinstance(value, list) and all(isinstance(each, str) for each in value):
+        value = [word for each in value if (word := each.strip())]
+    if value is None:
+        return None
+    is_target = field.shape == Shape.TARGETS  # each name that is unknown is a fault of its own
+    try:
+        return read_value(field._replace(shape=Shape.STRINGS) if is_target else field, value, folder)
+    except WrongUsage:
+        faults.append(f"setting `{name}` is {json.dumps(value)}; it must be {field.shape}")
+        return None

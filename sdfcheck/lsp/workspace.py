@@ -11,11 +11,12 @@ from sdfcheck.files.discover import discover
 from sdfcheck.files.disk import Disk
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import SIZE_LIMIT, read_regular
-from sdfcheck.lint.config.configuration import Configuration, Settings
+from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.one_file import Caches
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.select import Choice, check_targets, covered
+from sdfcheck.lint.select import check_targets, covered
 from sdfcheck.lsp.completion.context import Checkpoints
 from sdfcheck.lsp.names.xacro_names import Own
 from sdfcheck.source.document import Document
@@ -35,11 +36,7 @@ class Choices(NamedTuple):
     """The client's settings, over the configuration files."""
 
     configuration: Path | None = None
-    select: tuple[str, ...] | None = None
-    extend_select: tuple[str, ...] = ()
-    ignore: tuple[str, ...] = ()
-    preview: bool | None = None
-    target: tuple[str, ...] | None = None
+    given: Settings = UNSET
     trust: bool = False
     expand: bool = True
     lenses: bool = True
@@ -411,24 +408,24 @@ class Workspace:
         """Take other settings of the client; whatever was known is worked out anew."""
         self.choices = choices
         self.configuration = self._configuration()
-        self.fault, choices = self._without_faults(choices)
-        choice = Choice(choices.select, choices.extend_select, choices.ignore, choices.preview)
-        self.book = RuleBook(choice, choices.target or None)
+        self.fault, given = self._without_faults(choices)
+        self.configuration = self.configuration.with_given(given)
+        self.book = RuleBook()
         self.caches = LiveCaches(self.buffers, expand=choices.expand, named=self.folders)
         self.forget()
 
-    def _without_faults(self, choices: Choices) -> tuple[str, Choices]:
+    def _without_faults(self, choices: Choices) -> tuple[str, Settings]:
         """The faults of the settings, and those that are right."""
-        faults = [*filter(None, [self.fault]), *choices.faults]
-        rules = self._known_rules() if choices.select or choices.extend_select or choices.ignore else ()
+        faults, given = [*filter(None, [self.fault]), *choices.faults], choices.given
+        rules = self._known_rules() if given.select or given.extend_select or given.ignore else ()
         right: dict[str, tuple[str, ...]] = {}
         for name in ("select", "extend_select", "ignore", "target"):
-            words = getattr(choices, name) or ()
+            words = getattr(given, name) or ()
             found = {word: _fault(name, word, rules) for word in words}
             setting = re.sub(r"_(.)", lambda match: match[1].upper(), name)
             faults += (f"setting `{setting}`: {fault}" for fault in found.values() if fault)
             right[name] = tuple(word for word in words if not found[word])
-        return "; ".join(faults), choices._replace(
+        return "; ".join(faults), given._replace(
             select=right["select"] or None,
             extend_select=right["extend_select"],
             ignore=right["ignore"],
@@ -439,7 +436,7 @@ class Workspace:
         """The rules that settings can name; none where the configuration keeps them from being known."""
         folder = self.folders[0] if self.folders else Path.cwd()
         try:
-            return RuleBook(Choice(), None).rules(self.settings_for(folder / "any.sdf"))
+            return RuleBook().rules(self.settings_for(folder / "any.sdf"))
         except WrongUsage:
             return ()
 

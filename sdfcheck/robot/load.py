@@ -12,6 +12,7 @@ from sdfcheck.robot.includes.multiplied import TooManyModels, refuse_too_many
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Unreadable(ValueError):
@@ -24,32 +25,57 @@ def load(
     arguments: Mapping[str, str] | None = None,
     model_paths: Sequence[Path] = (),
     package_paths: Sequence[Path] = (),
+    tables: Sequence[Path] = (),
 ) -> Root:
     """Read an SDFormat, URDF or xacro file.
 
     ``arguments`` are given to xacro. Included models are looked for below ``model_paths`` and in
     the folders of the environment variables that Gazebo uses, packages below ``package_paths``.
-    Other problems of the file are reported by :func:`sdfcheck.lint`: everything that can be
+    ``tables`` are those of vendors' own elements (``mujoco.vendor.txt``), as packs of rules bring
+    them. Other problems of the file are reported by :func:`sdfcheck.lint`: everything that can be
     understood is there.
 
     Raises:
         OSError: the file cannot be read.
         Unreadable: it holds no robot description, cannot be expanded, or brings too many models.
+        WrongUsage: a table cannot be read.
     """
     place = Path(path)
-    search = SearchPaths(tuple(model_paths), tuple(package_paths))
+    search = SearchPaths(tuple(model_paths), tuple(package_paths), tables=_checked(tables))
     return _root(read_named(place), place, arguments, search)
 
 
 def parse(
-    text: str | bytes, path: str | os.PathLike[str] = "<text>", *, arguments: Mapping[str, str] | None = None
+    text: str | bytes,
+    path: str | os.PathLike[str] = "<text>",
+    *,
+    arguments: Mapping[str, str] | None = None,
+    tables: Sequence[Path] = (),
 ) -> Root:
     """Read a text like the content of a file; relative names in it are resolved from the folder of ``path``.
 
-    Raises Unreadable.
+    ``tables`` are as for :func:`load`. Raises Unreadable; WrongUsage: a table cannot be read.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
-    return _root(data, Path(path), arguments, SearchPaths())
+    return _root(data, Path(path), arguments, SearchPaths(tables=_checked(tables)))
+
+
+def opened(what: str | bytes | os.PathLike[str], tables: Sequence[Path] = ()) -> Root:
+    """A description by its path or its text; raises as :func:`load`."""
+    text = as_text(what)
+    return load(what, tables=tables) if text is None else parse(text, tables=tables)  # type: ignore[arg-type]
+
+
+def _checked(tables: Sequence[Path]) -> tuple[Path, ...]:
+    if tables:
+        from sdfcheck.formats.vendor.definitions import BadTable
+        from sdfcheck.formats.vendor.table import check_tables
+
+        try:
+            check_tables(tables)
+        except BadTable as error:
+            raise WrongUsage(str(error)) from None
+    return tuple(tables)
 
 
 def as_text(what: object) -> bytes | None:

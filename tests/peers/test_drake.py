@@ -11,6 +11,7 @@ import pytest
 from sdfcheck.consumers.engines import Engine, is_installed
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.session import Options, run
 from sdfcheck.source.document import read
@@ -81,7 +82,7 @@ def silent_files() -> list[Path]:
 def test_files_that_drake_loads_are_left_alone(target: tuple[str, ...] | None) -> None:
     paths = silent_files()
     assert paths
-    done = run(paths, Options(Configuration(isolated=True), target=target))
+    done = run(paths, Options(Configuration(isolated=True, given=UNSET._replace(target=target))))
     found = [
         f"{d.span.source.path.name}:{d.span.begin.line}: {d.code} {d.message}"
         for d in done.diagnostics

@@ -13,12 +13,11 @@ from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.soundness import means_another_robot, new_errors, new_refusals
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_named
-from sdfcheck.lint.config.configuration import Settings
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, lint_document
 from sdfcheck.lint.obstacles import ELSEWHERE, OWN_CONSUMER, obstacles, own_consumer
 from sdfcheck.lint.rulebook.rulebook import RuleBook
-from sdfcheck.lint.select import SILENT, Choice
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -63,9 +62,7 @@ class Reader:
     """Reads the inputs of one run. Use it as a context manager: it may start a process to expand xacro."""
 
     def __init__(self, around: Around, *, lint: bool = True, expand: bool = True) -> None:
-        self._book = RuleBook(SILENT, None)
-        consumers = tuple(consumer.value for consumer in OWN_CONSUMER.values())
-        self._verdicts = RuleBook(Choice(preview=True), consumers)
+        self._book = RuleBook()
         self._around = around
         self._lint = lint
         self._expands = expand
@@ -159,7 +156,9 @@ class Reader:
     def _others(self, settings: Settings, file: Path) -> Dispatch:
         """The rules that predict what the consumers of results do, and are not asked for: those in preview, too."""
         asked = (facts.code for facts in self._book.active(settings, file, tuple(ELSEWHERE)).facts)
-        return self._verdicts.dispatch(settings, file, (*ELSEWHERE, *asked))
+        consumers = tuple(consumer.value for consumer in OWN_CONSUMER.values())
+        every = settings._replace(given=UNSET._replace(preview=True, target=consumers))
+        return self._book.dispatch(every, file, (*ELSEWHERE, *asked))
 
 
 def _unexpanded(judged: Input) -> Input:

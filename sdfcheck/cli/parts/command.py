@@ -90,7 +90,7 @@ class LazyGroup(click.Group):
 
 _SECTIONS = {
     "Input": """
-        stdin_filename kind no_expand packages package_paths model_paths variables exclude changed_since force_exclude
+        stdin_filename kind no_expand packages package_paths model_paths env exclude changed_since force_exclude
         skip_unrelated
     """.split(),
     "Selection": "select extend_select ignore preview target baseline write_baseline".split(),

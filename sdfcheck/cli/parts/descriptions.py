@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from sdfcheck.cli.parts.options import configured, folders, together
+from sdfcheck.cli.parts.options import configured, settable, taken
 from sdfcheck.cli.parts.terminal import pair, say
-from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.library import Library
 from sdfcheck.report import OutputFormat
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
@@ -19,7 +18,8 @@ from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.cli.parts.output import Output
-    from sdfcheck.lint.config.configuration import Configuration, Settings
+    from sdfcheck.lint.config.configuration import Configuration
+    from sdfcheck.lint.config.settings import Settings
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.session import Options
     from sdfcheck.report.robots import Robot
@@ -30,14 +30,7 @@ ARGUMENT = ":="
 """A sign that an argument for xacro has, and a path does not have."""
 
 
-surroundings = together(
-    click.option("--package", "packages", multiple=True, metavar="NAME=PATH", help="Where a ROS package is."),
-    folders("--package-path", "package_paths", "A folder below which to look for ROS packages."),
-    folders("--model-path", "model_paths", "A folder in which to look for models."),
-    click.option(
-        "--env", "variables", multiple=True, metavar="NAME", help="An environment variable to pass to xacro."
-    ),
-)
+surroundings = settable("packages", "package_paths", "model_paths", "env")
 """Where things are."""
 
 
@@ -52,12 +45,10 @@ class Around(NamedTuple):
 
     configuration: Configuration
     arguments: tuple[tuple[str, str], ...] = ()
-    search: SearchPaths = SearchPaths()
-    variables: tuple[str, ...] = ()
 
     def settings_for(self, file: Path) -> Settings:
-        """The settings of a file, with what the command line adds."""
-        return self.configuration.settings_for(file).extended(self.search, self.variables)
+        """The settings of a file."""
+        return self.configuration.settings_for(file)
 
 
 def around(given: dict[str, Any]) -> Around:
@@ -66,37 +57,12 @@ def around(given: dict[str, Any]) -> Around:
     Raises:
         WrongUsage: an option names nothing.
     """
-    return Around(
-        given.pop("configuration"),
-        arguments_in(given.pop("arguments")),
-        search_of(given.pop("packages"), given.pop("package_paths"), given.pop("model_paths")),
-        given.pop("variables"),
-    )
+    return Around(given.pop("configuration").with_given(taken(given)), arguments_in(given.pop("arguments")))
 
 
 def arguments_in(words: Iterable[str]) -> tuple[tuple[str, str], ...]:
     """Names and values of arguments for xacro."""
     return tuple(pair(word, ARGUMENT, "name:=value") for word in words)
-
-
-def search_of(
-    packages: Sequence[str], package_paths: Sequence[Path], model_paths: Sequence[Path]
-) -> SearchPaths:
-    """Where names are looked for; raises WrongUsage for a folder that is not there."""
-    named = tuple(
-        (name, Path(path)) for name, path in (pair(text, "=", "--package name=path") for text in packages)
-    )
-    for option, places in (
-        ("--package", [path for _, path in named]),
-        ("--package-path", package_paths),
-        ("--model-path", model_paths),
-    ):
-        for path in places:
-            if not path.is_dir():
-                raise WrongUsage(
-                    f"{option}: {'not a folder' if os.path.lexists(path) else 'no such folder'}: {path}"
-                )
-    return SearchPaths(tuple(model_paths), tuple(package_paths), named)
 
 
 def load(file: Path, around: Around, *, check: bool = True) -> Document:
@@ -227,7 +193,7 @@ def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[
         return ()
     from sdfcheck.report.robots import robots
 
-    around = Around(options.configuration, options.arguments, options.search, options.variables)
+    around = Around(options.configuration, options.arguments)
     return list(robots(run, _documents(run, around)))
 
 

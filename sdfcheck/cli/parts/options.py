@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from sdfcheck.cli.parts.terminal import pair
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.lint.config.settings import GIVEN, UNSET, Field, Settings, Shape
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -76,11 +78,10 @@ def places(context: click.Context, parameter: click.Parameter, begun: str) -> li
 
 def _of_vendors() -> list[str]:
     """The names with the prefix of a vendor."""
-    from sdfcheck.formats.vendor import BUILT_IN
     from sdfcheck.formats.vendor.definitions import DIALECTS
-    from sdfcheck.formats.vendor.table import vendor
+    from sdfcheck.formats.vendor.table import vendors
 
-    return sorted({name for path in BUILT_IN for dialect in DIALECTS for name in vendor(path, dialect).tags})
+    return sorted({name for dialect in DIALECTS for table in vendors(None, dialect) for name in table.tags})
 
 
 def _items(offered: Iterable[tuple[str, str]]) -> list[CompletionItem]:
@@ -267,13 +268,6 @@ def _consumers(
     return names
 
 
-def listing(flag: str, help: str) -> Callable[[Any], Any]:
-    """An option for a list of rules."""
-    return click.option(
-        flag, multiple=True, callback=_commas, metavar="RULES", help=help, shell_complete=rules
-    )
-
-
 def targeted(help: str) -> Callable[[Any], Any]:
     """``--target``: a list of consumers, or None."""
     return click.option(
@@ -284,6 +278,43 @@ def targeted(help: str) -> Callable[[Any], Any]:
         help=f"{help}: gazebo, drake, urdfdom, mujoco, ros, pybullet, pinocchio, isaac.",
         shell_complete=targets,
     )
+
+
+def settable(*names: str) -> Callable[[Any], Any]:
+    """The options of settings, as these are declared."""
+    return together(*(_settable(GIVEN[name]) for name in names))
+
+
+def _settable(field: Field) -> Callable[[Any], Any]:
+    flag, _, metavar = field.option.partition(" ")
+    if field.shape == Shape.FLAG:
+        return click.option(f"{flag}/--no-{flag[2:]}", field.attribute, default=None, help=field.summary)
+    if field.shape == Shape.TARGETS:
+        return targeted(field.summary.rstrip("."))
+    more: dict[str, Any] = {"type": PATH} if field.shape == Shape.PATHS else {}
+    if field.shape == Shape.SELECTORS:
+        more = {"callback": _commas, "shell_complete": rules}
+    return click.option(flag, field.attribute, multiple=True, metavar=metavar, help=field.summary, **more)
+
+
+def taken(given: dict[str, Any]) -> Settings:
+    """Takes the settings out of what click has read.
+
+    Raises:
+        WrongUsage: an option names nothing.
+    """
+    own = {name: given.pop(name) for name in GIVEN if name in given}
+    own["packages"] = tuple(
+        (name, Path(path))
+        for name, path in (pair(text, "=", "--package name=path") for text in own["packages"])
+    )
+    for name in ("packages", "package_paths", "model_paths"):
+        for path in own[name]:
+            folder = path[1] if name == "packages" else path
+            if not folder.is_dir():
+                reason = "not a folder" if os.path.lexists(folder) else "no such folder"
+                raise WrongUsage(f"{GIVEN[name].option.partition(' ')[0]}: {reason}: {folder}")
+    return UNSET._replace(**{name: value for name, value in own.items() if value is not None})
 
 
 limited = click.option(
@@ -299,11 +330,6 @@ limited = click.option(
 def path(flag: str, help: str) -> Callable[[Any], Any]:
     """An option for a file."""
     return click.option(flag, type=PATH, metavar="FILE", help=help)
-
-
-def folders(flag: str, name: str, help: str) -> Callable[[Any], Any]:
-    """An option for a folder, which may be repeated."""
-    return click.option(flag, name, multiple=True, type=PATH, metavar="FOLDER", help=help)
 
 
 def require_file(file: Path) -> None:

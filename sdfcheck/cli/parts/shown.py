@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from types import SimpleNamespace
 
 import click
 
@@ -45,16 +45,8 @@ shown = together(
 """The options about how much is shown, and about the exit code."""
 
 
-class Request(Protocol):
-    """The options about it."""
-
-    min_severity: str | None
-    max_diagnostics: int | None
-    no_fold: bool
-    fail_on: str | None
-    fail_on_missing: bool
-    max_warnings: int | None
-    exit_zero: bool
+class Request(SimpleNamespace):
+    """The command line, as click read it: each option is an attribute."""
 
 
 def view_of(request: Request, usual: Severity) -> View:

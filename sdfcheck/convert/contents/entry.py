@@ -12,7 +12,7 @@ import numpy as np
 from sdfcheck.convert.marks import MARKS
 from sdfcheck.formats.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import known_tables
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
@@ -22,7 +22,6 @@ Same = Callable[[str, str], bool]
 
 _NEAR = 1e-9
 """Poses nearer than this are one (m, and entries of rotations)."""
-_VENDORS = tuple(f"{prefix_of(table)}:" for table in BUILT_IN)
 _BOOLEANS = {"true": "1", "false": "0"}
 
 
@@ -135,7 +134,9 @@ class Divergence(NamedTuple):
     @property
     def is_custom(self) -> bool:
         """Is it data under a prefix of which no table knows what reads it?"""
-        return ":" in self.name and not self.name.startswith(_VENDORS)
+        prefix, colon, _ = self.name.partition(":")
+        document = None if self.element is None else self.element.document
+        return bool(colon) and prefix not in known_tables(document and document.library)
 
 
 def same_text(a: str, b: str, tolerance: float = 1e-9) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
-from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, take_attributes
 from sdfcheck.convert.marks import BLOCK, is_mark
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
@@ -103,7 +103,7 @@ def _joint(element: Element) -> Entry:
     made = _entry(element, definition, _OF_JOINTS)
     if made.attributes.pop("type", None) == "fixed":
         made.children = [
-            c for c in made.children if c.element is None or not c.element.name.startswith("urdf:")
+            child for child in made.children if child.element is None or not _is_idle(child.element)
         ]
     for name in ("axis", "axis2"):
         axis, inner = element.find(name), definition.children.get(name) if definition is not None else None
@@ -119,12 +119,17 @@ def _joint(element: Element) -> Entry:
     return made
 
 
+def _is_idle(element: Element) -> bool:
+    """Is it kept from a fixed joint of URDF, where it meant nothing? What a block said counts."""
+    return element.name.startswith("urdf:") and BLOCK not in element.attributes
+
+
 def _lift_custom(part: Entry, joint: Entry) -> None:
     """Move what is custom in an axis or its limit to the joint: URDF has these elsewhere."""
     joint.children += [child for child in part.children if ":" in child.name]
     part.children = [child for child in part.children if ":" not in child.name]
     if part.element is not None:
-        joint.children += attribute_entries(part.element)
+        joint.children += attribute_entries(part.element, Kind.SDF)
     part.attributes = {name: text for name, text in part.attributes.items() if ":" not in name}
 
 
@@ -133,6 +138,7 @@ def _entry(element: Element, definition: Definition | None, without: frozenset[s
     customs = frozenset(child.name for child in element.children() if child.is_custom)
     made = entry_of(element, definition, without | customs)
     made.attributes = {name: text for name, text in made.attributes.items() if name not in _ENDS}
+    take_attributes(made, element, Kind.SDF)
     others = (
         child
         for child in element.children()

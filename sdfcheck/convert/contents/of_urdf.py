@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sdfcheck.convert.contents.entry import Contents, Entry, entry_of
-from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, tag_of
+from sdfcheck.convert.contents.vendor import attribute_entries, custom_entries, custom_entry, take_attributes
 from sdfcheck.convert.marks import SCRIPTS
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.formats.schema import Definition
@@ -17,7 +17,7 @@ from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.joint import PRESERVING, Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.parts.shape import Material, Shape, Visual
 from sdfcheck.source.document import Element
@@ -33,7 +33,7 @@ _TRANSLATED = {
     "visual": frozenset({"geometry", "material", "origin"}),
 }
 """Element → the parts and attributes for which SDFormat has words; it has others under a prefix only."""
-_HINTS = frozenset({"preserveFixedJoint", "disableFixedJointLumping", "material"})
+_HINTS = frozenset({*PRESERVING, "material"})
 _OF_MODELS = frozenset({"pose", "static", "frame", "joint", "link", "model", "include"})
 _MOTION = frozenset({"axis", "pose", "parent", "child"})
 
@@ -42,7 +42,7 @@ def of_urdf(model: Model) -> Contents:
     """The contents of a robot."""
     found = Contents(model.name)
     sdf = schema(NEWEST).root.children["model"]
-    robot = found.add("model", "", Entry("model", "", model.element, sdf))
+    robot = found.add("model", "", _entry("model", model.element, sdf))
     _add_customs(robot, model.element.children(), ("drake:joint",))
     for kept in _add_own(robot, model.element):
         for actuator in (child for child in kept.children if child.name == "actuator"):
@@ -63,7 +63,7 @@ def of_urdf(model: Model) -> Contents:
 
 
 def _link(found: Contents, link: Link, definition: Definition) -> None:
-    made = found.add("link", link.name, Entry("link", "", link.element, definition))
+    made = found.add("link", link.name, _entry("link", link.element, definition))
     _add_customs(made, link.element.children())
     shapes = [(shape, _shape(shape, definition)) for shape in link.shapes]
     for shape, entry in shapes:
@@ -108,7 +108,7 @@ def _is_of_joint(link: Link, element: Element) -> bool:
 
 
 def _shape(shape: Shape, definition: Definition) -> Entry:
-    made = Entry(shape.kind, "", shape.element, definition.children.get(shape.kind))
+    made = _entry(shape.kind, shape.element, definition.children.get(shape.kind))
     _add_customs(made, shape.element.children())
     _add_own(made, shape.element)
     geometry = shape.geometry.shape_element
@@ -130,7 +130,7 @@ def _material(shape: Entry, material: Material) -> None:
 
 
 def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
-    made = found.add("joint", joint.name, Entry("joint", "", joint.element, definition))
+    made = found.add("joint", joint.name, _entry("joint", joint.element, definition))
     _add_customs(made, joint.element.children())
     if not joint.is_fixed:  # of one that was merged nothing is left but a frame
         _add_own(made, joint.element)
@@ -138,7 +138,7 @@ def _joint(found: Contents, joint: Joint, definition: Definition) -> None:
         inner = joint.find(name)
         if inner is not None:
             _add_customs(made, inner.children())
-            made.children += attribute_entries(inner)
+            made.children += attribute_entries(inner, Kind.URDF)
             own = inner.attributes.items() if not joint.is_fixed else ()
             made.children += [
                 Entry(key, text, inner)
@@ -204,8 +204,13 @@ def _add_own(made: Entry, element: Element) -> list[Entry]:
     return [made.add(custom_entry(child, Kind.URDF)) for child in found]
 
 
+def _entry(kind: str, element: Element, definition: Definition | None) -> Entry:
+    """A part of the robot, with the attributes that are custom."""
+    made = Entry(kind, "", element, definition)
+    made.attributes = {name: text for name, text in element.attributes.items() if ":" in name}
+    take_attributes(made, element, Kind.URDF)
+    return made
+
+
 def _add_customs(made: Entry, elements: Iterable[Element], without: tuple[str, ...] = ()) -> None:
-    for name, text in made.element.attributes.items() if made.element is not None else ():
-        if ":" in name and tag_of(name, Kind.URDF) is None:
-            made.attributes.setdefault(name, text)
     made.children += custom_entries((e for e in elements if e.name not in without), Kind.URDF)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from functools import cache
 
 from sdfcheck.convert.contents.entry import Entry
 from sdfcheck.convert.marks import MARKS
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
-from sdfcheck.formats.vendor.definitions import Slot, Tag, Vendor, value_at
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor import known_tables
+from sdfcheck.formats.vendor.definitions import Slot, Tag, value_at
+from sdfcheck.formats.vendor.table import tag_of, vendors
 from sdfcheck.formats.vendor.values import as_read
-from sdfcheck.source.document import Element
+from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 
 _KEPT = "urdf:"
@@ -27,7 +26,7 @@ def custom_entries(elements: Iterable[Element], kind: Kind) -> Iterator[Entry]:
 
 def custom_entry(element: Element, kind: Kind) -> Entry:
     """A custom element; one that a table is about by the values that are read alone."""
-    tag = tag_of(element.name, kind)
+    tag = tag_of(element.document, element.name, kind.value)
     if tag is not None:
         return _tag_entry(element, tag, kind)
     made = Entry(element.name.removeprefix(_KEPT), " ".join(element.content.split()), element)
@@ -72,9 +71,9 @@ def _read(slot: Slot, text: str) -> str:
 
 def _is_read(element: Element, kind: Kind) -> bool:
     """Does its consumer look for it where it is? Elements that no table has may be anybody's."""
-    if not element.name.startswith(tuple(f"{prefix_of(table)}:" for table in BUILT_IN)):
+    if not _has_table(element, element.name):
         return True
-    tag, parent = tag_of(element.name, kind), element.parent
+    tag, parent = tag_of(element.document, element.name, kind.value), element.parent
     if tag is None or parent is None:
         return False
     if any(above.name == "gazebo" for above in element.around):
@@ -82,51 +81,45 @@ def _is_read(element: Element, kind: Kind) -> bool:
     return any(place.encloses(parent) and place.holds(parent) for place in tag.places)
 
 
-def attribute_entry(element: Element, name: str, text: str) -> Entry | None:
-    """A tag that is an attribute; None if no table has it."""
-    tag = tag_of(name, Kind.URDF)
-    slot = (
-        next((place.slot for place in tag.places if place.slot is not None), None)
-        if tag is not None
-        else None
-    )
+def attribute_entry(element: Element, name: str, text: str, kind: Kind) -> Entry | None:
+    """A tag that is an attribute where it is read; None if it is not."""
+    tag = tag_of(element.document, name, kind.value)
+    places = () if tag is None else tag.places
+    read = (place.slot for place in places if place.carrier == "attribute" and place.encloses(element))
+    slot = next(read, None)
     return None if slot is None else Entry(name, _read(slot, text), element)
 
 
-def attribute_entries(element: Element) -> Iterator[Entry]:
+def take_attributes(made: Entry, element: Element, kind: Kind) -> None:
+    """Give a part what its attributes say to vendors, as another dialect may have elements for that."""
+    for name, text in element.attributes.items():
+        if ":" in name and _has_table(element, name):
+            made.attributes.pop(name, None)
+            if (entry := attribute_entry(element, name, text, kind)) is not None:
+                made.add(entry)
+
+
+def attribute_entries(element: Element, kind: Kind) -> Iterator[Entry]:
     """The attributes of an element that are custom, each as an entry of its own."""
     for name, text in element.attributes.items():
         if ":" not in name or name.startswith("xmlns:"):
             continue
-        if name.startswith(tuple(f"{prefix_of(table)}:" for table in BUILT_IN)):
-            entry = attribute_entry(element, name, text)
+        if _has_table(element, name):
+            entry = attribute_entry(element, name, text, kind)
         else:
             entry = Entry(name.removeprefix(_KEPT), text, element)
         if entry is not None:
             yield entry
 
 
-def tag_of(name: str, kind: Kind) -> Tag | None:
-    """The entry of a table for a name; None if no table has it."""
-    for table in BUILT_IN:
-        if name.startswith(f"{prefix_of(table)}:"):
-            return _vendor(kind, table.name).tags.get(name)
-    return None
+def _has_table(element: Element, name: str) -> bool:
+    return name.partition(":")[0] in known_tables(element.document.library)
 
 
-@cache
-def seen_from_links() -> frozenset[str]:
+def seen_from_links(document: Document) -> set[str]:
     """The tags, without prefix, whose numbers change when the frame of a link does."""
-    tables = (_vendor(Kind.SDF, table.name) for table in BUILT_IN)
-    tags = (tag for table in tables for tag in table.tags.values())
-    return frozenset(
-        _local(tag.name) for tag in tags if tag.keys.text("point-in") or tag.keys.text("direction-in")
-    )
-
-
-def _vendor(kind: Kind, name: str) -> Vendor:
-    path = next(table for table in BUILT_IN if table.name == name)
-    return vendor(path, "urdf" if kind is Kind.URDF else "sdf")
+    tags = (tag for table in vendors(document.library, "sdf") for tag in table.tags.values())
+    return {_local(tag.name) for tag in tags if tag.keys.text("point-in") or tag.keys.text("direction-in")}
 
 
 def _local(name: str) -> str:

@@ -12,49 +12,46 @@ from collections.abc import Iterator, Mapping
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.draft import Node
 from sdfcheck.convert.migrate.migration import Migration, title
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.table import tag_of
 
 _WORDS = {"joint": ("joint",), "link": ("link", "body", "frame"), "model": ("model",)}
 
 
 def rename_in_plugins(migration: Migration, model: Node, names: Mapping[tuple[str, str], str]) -> None:
     """Follow new names in the plugins and custom elements of a model; ``names`` are new ones by kind and old name."""
-    for plugin in _plugins(model):
-        for node in plugin.walk():
-            for attribute, text in list(node.attributes.items()):
-                if node is plugin and (not node.is_custom or attribute == "name"):
-                    continue
-                found = _meant(migration, plugin, node, f"{node.name}/{attribute}", text, names)
-                if found is not None:
-                    node.attributes[attribute] = found
-            if next(node.children(), None) is None and (
-                found := _meant(migration, plugin, node, node.name, node.content, names)
-            ):
-                node.write(found)
+    for holder, node, attribute in list(_places(model)):
+        called = f"{node.name}/{attribute}" if attribute else node.name
+        text = node.attributes[attribute] if attribute else node.content
+        found = _meant(migration, holder, node, called, text, names)
+        if found is not None and attribute:
+            node.attributes[attribute] = found
+        elif found is not None:
+            node.write(found)
 
 
-def _named_kinds(tag: str, attribute: str) -> list[str]:
+def _named_kinds(node: Node, attribute: str) -> list[str]:
     """The kinds of thing that a vendor's tag names in an attribute, or in its text; none if no table knows it."""
-    for table in BUILT_IN:
-        if tag.startswith(f"{prefix_of(table)}:"):
-            found = vendor(table, "sdf").tags.get(tag)
-            slots = [place.slot for place in found.places] if found is not None else []
-            slot = (
-                found.attributes.get(attribute)
-                if found is not None and attribute
-                else next(iter(slots), None)
-            )
-            return list(slot.references) if slot is not None else []
-    return []
+    is_tag = not attribute or ":" in attribute
+    tag = tag_of(node.document, attribute if attribute and is_tag else node.name, "sdf")
+    if tag is None:
+        return []
+    slot = next((place.slot for place in tag.places), None) if is_tag else tag.attributes.get(attribute)
+    return list(slot.references) if slot is not None else []
 
 
-def _plugins(node: Node) -> Iterator[Node]:
+def _places(node: Node, around: Node | None = None) -> Iterator[tuple[Node, Node, str]]:
+    """The custom attributes, and the values in plugins and custom elements: what holds it, element, attribute."""
     for child in node.children():
-        if child.name == "plugin" or child.is_custom:
-            yield child
-        elif child.name != "model":
-            yield from _plugins(child)
+        holder = child if around is None and (child.name == "plugin" or child.is_custom) else around
+        for name in child.attributes:
+            if ":" in name or (
+                holder is not None and (child is not holder or (child.is_custom and name != "name"))
+            ):
+                yield holder or child, child, name
+        if holder is not None and next(child.children(), None) is None:
+            yield holder, child, ""
+        if holder is not None or child.name != "model":
+            yield from _places(child, holder)
 
 
 def _meant(
@@ -69,7 +66,7 @@ def _meant(
     new = {kind: names[kind, text] for kind in _WORDS if (kind, text) in names}
     if not new:
         return None
-    kinds = _named_kinds(node.name, called.partition("/")[2]) or [
+    kinds = _named_kinds(node, called.partition("/")[2]) or [
         kind for kind, words in _WORDS.items() if any(word in called.lower() for word in words)
     ]
     if not kinds and "::" in text and len(new) == 1:

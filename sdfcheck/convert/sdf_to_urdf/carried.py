@@ -12,11 +12,11 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
 from sdfcheck.convert.writer import declare, undeclared_prefixes
 from sdfcheck.formats.sdf.survey import PARAMETERS
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.altered import Xml, copied
-from sdfcheck.source.document import Comment, Element
+from sdfcheck.source.document import Comment, Document, Element
 from sdfcheck.source.document import Node as Written
 
 # Comments go where what they speak of goes.
@@ -180,12 +180,9 @@ def _carry_attribute(
         _give_back_attribute(context, node, element, name, text)
         return
     declare(node, element, name.partition(":")[0], context.namespaces)
-    if tags.is_ignored(name):
-        message = (
-            f"attribute `{name}` of {element.title} is left out: it is ignored here, and would not be in URDF"
-        )
-        context.ledger.lose_attribute(element, name, message)
-    elif node.attributes.get(name) == text:
+    if tags.put_attribute(element, name, node):
+        return
+    if node.attributes.get(name) == text:
         context.ledger.take(element, name)  # one for both
     elif node.attributes.setdefault(name, text) == text:
         context.ledger.copy_attribute(element, name)
@@ -242,7 +239,7 @@ def has_custom(element: Element) -> bool:
     )
 
 
-def namespace_of(prefix: str) -> str:
+def namespace_of(document: Document, prefix: str) -> str:
     """The URI to declare for a prefix that its document does not declare."""
-    known = (vendor(table, "urdf").namespace for table in BUILT_IN if prefix_of(table) == prefix)
-    return next(known, f"urn:{prefix}")
+    table = known_tables(document.library).get(prefix)
+    return f"urn:{prefix}" if table is None else vendor(table, "urdf").namespace

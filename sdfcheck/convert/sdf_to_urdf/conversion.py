@@ -293,7 +293,11 @@ def _text(context: Context) -> str:
     element = context.scope.element
     before, after = (around_root(element, preceding=preceding) for preceding in (True, False))
     for prefix in sorted(undeclared_prefixes(context.root)):
-        uri = context.namespaces.get(prefix) or element.namespaces.get(prefix) or namespace_of(prefix)
+        uri = (
+            context.namespaces.get(prefix)
+            or element.namespaces.get(prefix)
+            or namespace_of(element.document, prefix)
+        )
         context.root.attributes[f"xmlns:{prefix}"] = uri
     return with_line_ends(render(context.root, before, after), element.document.source.text)
 

@@ -10,7 +10,7 @@ from sdfcheck.convert.sdf_to_urdf.plan import is_same
 from sdfcheck.convert.sdf_to_urdf.poses import shortened
 from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
-from sdfcheck.formats.vendor.definitions import Elsewhere, Tag
+from sdfcheck.formats.vendor.definitions import Tag
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.rotations import Array, to_rpy
 from sdfcheck.source.altered import Xml, copied
@@ -30,7 +30,7 @@ class VendorTags:
     def __init__(self, context: Context, scope: str) -> None:
         self.context = context
         self.scope = scope
-        self.spellings = spellings(Kind.SDF, Kind.URDF, self)
+        self.spellings = spellings(context.scope.element.document, Kind.URDF, self)
 
     def put(self, element: Element, node: Xml) -> bool:
         """Write a tag into the counterpart of its parent; False if no table has it."""
@@ -39,40 +39,55 @@ class VendorTags:
         if made is None or tag is None:
             return False
         self.context.ledger.take_whole(element)
-        if tag.absent is not None:
-            return self._elsewhere(element, node, made, tag.absent)
+        if not tag.places:
+            return self._elsewhere(element, node, made, tag.absent.use if tag.absent else "")
         if tag.name == "drake:joint" or node.name == "geometry":
             return True  # joints and shapes are written
-        if tag.places[0].carrier == "attribute":
-            node.attributes[tag.name] = " ".join(element.content.split())
-        elif tag.places[0].path[0].name == _ACTUATOR:
+        if tag.places[0].path[0].name == _ACTUATOR:
             self._drive(element, node, made)
         else:
-            written = made.element(element)
-            self._rename(written, tag)
-            node.append(written)
+            self._rename(made.write(element, node), tag)
         return True
 
-    def is_ignored(self, attribute: str) -> bool:
-        """Is an attribute one that a vendor reads in URDF, and has as an element in SDFormat?"""
-        made = self.spellings.get(attribute.partition(":")[0])
-        tag = made.target.tags.get(attribute) if made is not None else None
-        return tag is not None and any(place.carrier == "attribute" for place in tag.places)
+    def put_attribute(self, element: Element, name: str, node: Xml) -> bool:
+        """Write an attribute into the counterpart of its element; False if it is not read there, or no table has it."""
+        made, ledger = self.spellings.get(name.partition(":")[0]), self.context.ledger
+        if made is None:
+            return False
+        place = made.place(name, node)
+        if made.write_attribute(element, name, node):
+            ledger.take(element, name)
+        elif made.attribute(element, name) is not None:
+            text = f"{made.source.name} does not read attribute `{name}` of {element.title} there in URDF"
+            ledger.note(LossKind.KEPT_AS_EXTENSION, element, text)
+            return False
+        elif place is not None and place.carrier == "attribute":
+            text = f"attribute `{name}` of {element.title} is left out: it is ignored here, and would not be in URDF"
+            ledger.lose_attribute(element, name, text)
+        else:
+            return False
+        return True
 
-    def _elsewhere(self, element: Element, node: Xml, made: Spelling, absent: Elsewhere) -> bool:
+    def _elsewhere(self, element: Element, node: Xml, made: Spelling, use: str) -> bool:
         """What URDF says without a tag, or cannot say."""
-        if absent.use == "joint/mimic" and node.name == "joint":
+        if use == "joint/mimic" and node.name == "joint":
             self._mimic(element, node)
-        elif absent.use.startswith(_MATERIAL) and node.name == "material":
+        elif use.startswith(_MATERIAL) and node.name == "material":
             node.add("texture", filename=mesh_uri(self.context, element.content, element))
-        elif not absent.use:
+        else:
             self._keep(element, node, made)
         return True
 
-    def _rename(self, written: Xml, tag: Tag) -> None:
+    def _rename(self, written: Xml | None, tag: Tag) -> None:
         """Names of tags of nested models get those of the models in front, as links do."""
         slot = tag.attributes.get("name")
-        if self.scope and slot is not None and not slot.references and "name" in written.attributes:
+        if (
+            self.scope
+            and written
+            and slot is not None
+            and not slot.references
+            and "name" in written.attributes
+        ):
             written.attributes["name"] = f"{self.scope}::{written.attributes['name']}".replace("::", "__")
 
     def _keep(self, element: Element, node: Xml, made: Spelling) -> None:

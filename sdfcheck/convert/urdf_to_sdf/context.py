@@ -144,7 +144,10 @@ class Context:
         """Write the attributes of an element that are not of URDF, under the prefix that they have or ours."""
         known = WORDS[element.name]
         for name, text in element.attributes.items():
-            if name in known or self.vendors.knows(name):
+            if name in known:
+                continue
+            if self.vendors.put_attribute(element, name, node):
+                self.ledger.take(element, name)
                 continue
             own = name if ":" in name else f"{KEPT}:{name}"
             if node.attributes.get(own) == text:

@@ -22,6 +22,7 @@ from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.rotations import Array, from_rpy, to_rpy, transform
 from sdfcheck.robot.naming.references import NAMING
 from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.robot.parts.joint import PRESERVING
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 
@@ -245,7 +246,6 @@ def _pairs(element: Element, node: Xml) -> Iterator[tuple[Element, Xml]]:
 # ``<gazebo>`` blocks: what they say of a link, a joint or the model goes where SDFormat has it.
 
 
-_KEEP_FIXED = frozenset({"preserveFixedJoint", "disableFixedJointLumping"})
 _PLACED = frozenset({"sensor", "light", "projector", "audio_source", "particle_emitter"})
 _BOUNDS = frozenset({"lower", "upper", "effort", "velocity", "damping", "friction"})
 
@@ -310,7 +310,7 @@ class Extensions:
 
     def _only_hints(self, block: Element, joint: str, only: Container[str] | None) -> None:
         for entry in block.children():
-            if entry.name in _KEEP_FIXED:
+            if entry.name in PRESERVING:
                 self.context.ledger.take(entry, TEXT, "value")
             elif only is None or entry.name in only:
                 text = f"<{entry.name}> is left out: joint `{joint}` was merged"
@@ -363,7 +363,7 @@ class Extensions:
             self._joint_setting(entry, setting, joint)
         elif name == "axis":
             self._axis(entry, joint)
-        elif name in _KEEP_FIXED:
+        elif name in PRESERVING:
             context.ledger.take(entry, TEXT, "value")
         elif entry.is_custom or (name != "pose" and context.allows(f"joint/{name}")):
             made = copied_entry(context, entry, joint)

@@ -233,7 +233,6 @@ class Joints:
             for name, text in bounds.items():
                 written.add(name, spaced(text))
             self.context.carry(limit, written)
-        self._of_vendors(joint, node)
         for name in ("damping", "friction"):
             value = dynamics.attributes.get(name) if dynamics is not None else None
             if value is not None:
@@ -242,15 +241,6 @@ class Joints:
         if has_custom(dynamics):
             self.context.carry(dynamics, node.reach("dynamics"))
         self.context.carry(axis, node)
-
-    def _of_vendors(self, joint: Joint, axis: Xml) -> None:
-        """Vendor tags of the limits."""
-        found = Xml("limit")
-        limit = joint.element.find("limit")
-        for name in self.context.vendors.attributes(limit, found):
-            self.context.ledger.take(limit, name)
-        if found.nodes:
-            axis.reach("limit").extend(*found.nodes)
 
     def _range(self, joint: Joint) -> dict[str, str]:
         """Where the joint stops; nothing for one that does not."""

@@ -15,6 +15,7 @@ from sdfcheck.robot.motion.mass_properties import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.robot.parts.joint import PRESERVING
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
 
@@ -92,8 +93,7 @@ def legal(name: str) -> str:
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
 FOR_DRAKE = frozenset({"planar", "curvilinear"})
 """Kinds of joint that only Drake has in SDFormat, between frames."""
-_KEEPERS = ("preserveFixedJoint", "disableFixedJointLumping")
-OF_JOINTS = frozenset(("physics", *_KEEPERS, *settings("joint")))
+OF_JOINTS = frozenset(("physics", *PRESERVING, *settings("joint")))
 """Settings that only joints have."""
 OF_MOVING_JOINTS = frozenset(settings("joint")) - {"provideFeedback"}
 """Settings that say nothing of a fixed joint."""
@@ -283,7 +283,7 @@ def _kept_joints(document: Document, robot: Mechanism) -> set[str]:
         for child in block.children():
             # A tag that a link and a joint of one name could both have is the link's.
             concerned = child.name in OF_JOINTS or name not in robot.links
-            idle = child.name in OF_MOVING_JOINTS or (child.name in _KEEPERS and not _says_yes(child))
+            idle = child.name in OF_MOVING_JOINTS or (child.name in PRESERVING and not _says_yes(child))
             if concerned and not idle:
                 kept.add(name)
     return kept

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.urdf_to_sdf.options import Options
@@ -27,7 +27,7 @@ class VendorTags:
         self.plan = plan
         self.options = options
         self.lose = lose
-        self.spellings = spellings(Kind.URDF, Kind.SDF, self, plan.root.document.source.contains)
+        self.spellings = spellings(plan.root.document, Kind.SDF, self)
         self.named: dict[tuple[str, str], str] = {}
         """Kind and name of a frame or tag → its name in the model, where all names differ."""
         self.moved: list[str] = []
@@ -54,16 +54,20 @@ class VendorTags:
         if not made.knows(element.name):
             return False
         self.moved.clear()
-        written = made.element(element)
+        written = made.write(element, node)
         for child in made.dropped:
             self._drop(child, made)
         made.dropped.clear()
-        if (own := self.named.get((element.name, written.attributes.get("name", "")))) is not None:
-            self._rename(element, written, own)
-        node.append(written)
+        if written is not None:
+            own = self.named.get((element.name, written.attributes.get("name", "")))
+            if own is not None:
+                self._rename(element, written, own)
+        self._report_names(element)
+        return True
+
+    def _report_names(self, element: Element) -> None:
         for text in dict.fromkeys(self.moved):
             self.lose(element, LossKind.RENAMED, f"{text} in {element.title}", Severity.INFO)
-        return True
 
     def _drop(self, element: Element, made: Spelling) -> None:
         text = (
@@ -101,17 +105,16 @@ class VendorTags:
                 return plan.names.links[name if has_frame else plan.home[name][0]]
         return name
 
-    def knows(self, attribute: str) -> bool:
-        """Is it an attribute that SDFormat has as an element?"""
-        made = self.spellings.get(attribute.partition(":")[0])
-        return made is not None and made.knows(attribute)
-
-    def attributes(self, element: Element | None, node: Xml) -> Iterator[str]:
-        """Vendors' attributes of an element, as elements of its counterpart; the names of those."""
-        for name, text in () if element is None else element.attributes.items():
-            if self.knows(name):
-                node.add(name, " ".join(text.split()))
-                yield name
+    def put_attribute(self, element: Element, name: str, node: Xml) -> bool:
+        """Write an attribute into the counterpart of its element; False if no table knows where."""
+        made = self.spellings.get(name.partition(":")[0])
+        self.moved.clear()
+        is_written = made is not None and made.write_attribute(element, name, node)
+        self._report_names(element)
+        if not is_written and made is not None and made.attribute(element, name) is not None:
+            text = f"{made.source.name} does not read attribute `{name}` of {element.title} there in SDFormat"
+            self.lose(element, LossKind.KEPT_AS_EXTENSION, text)
+        return is_written
 
     # Actuators
 

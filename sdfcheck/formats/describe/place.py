@@ -6,17 +6,18 @@ A question is a path of names, as short as is clear; its prefix says which forma
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from pathlib import Path
 
 from sdfcheck.formats.describe.description import Description, UnknownPlace
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.version import NEWEST, Version
 
 
 def describe(
-    question: str, version: Version = NEWEST, tables: Iterable[Path] = ()
+    question: str, version: Version = NEWEST, tables: Mapping[str, Path] = BUILT_IN
 ) -> tuple[Description, ...]:
-    """All places that a question fits, sorted; ``version`` is that of SDFormat, ``tables`` are those of packs.
+    """All places that a question fits, sorted; ``version`` is that of SDFormat, ``tables`` are those of vendors.
 
     Raises: UnknownPlace: the format has no such place.
     """

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 
 from sdfcheck.formats.describe.description import Description, UnknownPlace
 from sdfcheck.formats.schema import Definition
@@ -100,7 +101,9 @@ def _in_block(names: list[str], version: Version) -> Spot | None:
     return None
 
 
-def describe_custom(name: str, outer: Sequence[str], *, is_urdf: bool) -> Description | None:
+def describe_custom(
+    name: str, outer: Sequence[str], tables: Mapping[str, Path], *, is_urdf: bool
+) -> Description | None:
     """The entry of a vendor's table for a prefixed element or attribute (``@name``, ``element/@name``)."""
     from sdfcheck.formats.describe.vendor import describe_vendor
 
@@ -109,7 +112,7 @@ def describe_custom(name: str, outer: Sequence[str], *, is_urdf: bool) -> Descri
     wanted = "(URDF)" if is_urdf else "(SDFormat)"
     for steps in ((*outer[-1:], *own), own):
         try:
-            found = describe_vendor(prefix, steps)
+            found = describe_vendor(prefix, steps, tables)
         except UnknownPlace:
             continue
         return next((one for one in found if one.format.endswith(wanted)), found[0])

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
 from pathlib import Path
 
 from sdfcheck.formats.describe.description import Description, Entry, UnknownPlace, missing, summary
 from sdfcheck.formats.near_names import suggest
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import DIALECTS, Effect, Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.source.record import NamedTuple
@@ -21,19 +21,18 @@ class _Table(NamedTuple):
 
 
 def describe_vendor(
-    prefix: str, steps: tuple[str, ...], tables: Iterable[Path] = ()
+    prefix: str, steps: tuple[str, ...], tables: Mapping[str, Path] = BUILT_IN
 ) -> tuple[Description, ...]:
-    """A prefixed name in each dialect, also by ``tables`` of packs; plain names before it narrow the places.
+    """A prefixed name in each dialect, by ``tables`` by prefix; plain names before it narrow the places.
 
     Raises:
         UnknownPlace: the prefix has no table, or the table no such name.
     """
-    paths = {prefix_of(path): path for path in (*BUILT_IN, *tables)}
-    if prefix not in paths:
-        near = suggest(prefix, ["sdf", "urdf", *paths])
+    if prefix not in tables:
+        near = suggest(prefix, ["sdf", "urdf", *tables])
         advice = f", did you mean `{near}:`?" if near else ""
         raise UnknownPlace(f"nothing is known of the prefix `{prefix}`{advice}")
-    known = [_Table(dialect, vendor(paths[prefix], dialect)) for dialect in DIALECTS]
+    known = [_Table(dialect, vendor(tables[prefix], dialect)) for dialect in DIALECTS]
     *_, last = steps
     if ":" not in last:
         return _slots(steps, known)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from sdfcheck.formats.vendor import prefix_of
+from sdfcheck.formats.vendor import known_tables, prefix_of
 from sdfcheck.formats.vendor.definitions import (
     DIALECTS,
     BadTable,
@@ -19,6 +21,9 @@ from sdfcheck.formats.vendor.definitions import (
     Tag,
     Vendor,
 )
+
+if TYPE_CHECKING:
+    from sdfcheck.source.document import Document
 
 TYPES = frozenset(
     ("", "bool", "double", "file", "flag", "int", "name", "string", "truth", "vector2", "vector3", "word")
@@ -57,6 +62,24 @@ def vendor(path: Path, dialect: str) -> Vendor:
             if name and name not in reader.vendor.tags:
                 raise BadTable(f"{path.name}: {tag.name} refers to {name}, which is not there")
     return reader.vendor
+
+
+def check_tables(tables: Iterable[Path]) -> None:
+    """Make sure that tables can be read; raises BadTable."""
+    for table in tables:
+        for dialect in DIALECTS:
+            vendor(table, dialect)
+
+
+def vendors(library: object | None, dialect: str) -> list[Vendor]:
+    """The tables that the documents of a library are read with."""
+    return [vendor(table, dialect) for table in known_tables(library).values()]
+
+
+def tag_of(document: Document, name: str, dialect: str) -> Tag | None:
+    """The entry of a prefixed name in the tables around a document; None if none of them has it."""
+    table = known_tables(document.library).get(name.partition(":")[0])
+    return None if table is None else vendor(table, dialect).tags.get(name)
 
 
 class _Reader:

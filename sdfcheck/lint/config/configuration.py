@@ -11,16 +11,12 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.files.library import SearchPaths
-from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, Configured, read_named
-from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.lint.select import Choice
-from sdfcheck.source.record import NamedTuple
+from sdfcheck.files.regular import MEGABYTE, read_named
+from sdfcheck.lint.config.settings import UNSET, ConfigFile, Settings
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.lint.config.reading import ArgumentSet, ConfigFile, Pattern
-
     _Loaded = tuple[dict[str, Any], tuple[ConfigFile, ...]]
 
 PYPROJECT = "pyproject.toml"
@@ -29,94 +25,38 @@ LARGEST = 16 * MEGABYTE
 NAMES = (".sdfcheck.toml", "sdfcheck.toml", PYPROJECT)
 
 
-class Settings(NamedTuple):
-    """The settings of a configuration; the defaults apply where it sets nothing.
-
-    ``files`` are the file itself and those that it extends, none if there is none.
-    """
-
-    select: tuple[str, ...] | None = None
-    extend_select: tuple[str, ...] = ()
-    ignore: tuple[str, ...] = ()
-    preview: bool = False
-    per_file_ignores: tuple[tuple[Pattern, tuple[str, ...]], ...] = ()
-    severity: tuple[tuple[str, Severity | None], ...] = ()
-    target: tuple[str, ...] = ()
-    exclude: tuple[Pattern, ...] = ()
-    respect_gitignore: bool = True
-    plugins: tuple[str, ...] = ()
-    fail_on: Severity = Severity.WARNING
-    output_format: tuple[str, ...] = ("full",)
-    model_paths: tuple[Path, ...] = ()
-    package_paths: tuple[Path, ...] = ()
-    packages: tuple[tuple[str, Path], ...] = ()
-    env: tuple[str, ...] = ()
-    xacro: tuple[tuple[Pattern, tuple[ArgumentSet, ...]], ...] = ()
-    max_file_size: float = SIZE_LIMIT / MEGABYTE
-    files: tuple[ConfigFile, ...] = ()
-
-    @property
-    def size_limit(self) -> Configured:
-        """The size up to which files are read, in bytes."""
-        return Configured(self.max_file_size * MEGABYTE)
-
-    @property
-    def search(self) -> SearchPaths:
-        """Where models and packages are looked for."""
-        return SearchPaths(self.model_paths, self.package_paths, self.packages)
-
-    def extended(self, search: SearchPaths, variables: tuple[str, ...] = ()) -> Settings:
-        """The settings with further places, which come first, and environment variables for xacro."""
-        if not variables and search._replace(named=()) == SearchPaths():
-            return self
-        return self._replace(
-            model_paths=(*search.models, *self.model_paths),
-            package_paths=(*search.packages_in, *self.package_paths),
-            packages=(*self.packages, *search.packages),
-            env=(*self.env, *variables),
-        )
-
-    @property
-    def choice(self) -> Choice:
-        return Choice(self.select, self.extend_select, self.ignore, self.preview)
-
-    def excludes(self, path: Path) -> bool:
-        """Whether ``exclude`` names a file; the last pattern with an opinion decides."""
-        verdicts = (pattern.verdict(path) for pattern in reversed(self.exclude))
-        return next((verdict for verdict in verdicts if verdict is not None), False)
-
-    def ignored_for(self, path: Path) -> tuple[str, ...]:
-        """The selectors that ``per-file-ignores`` has for a file."""
-        return tuple(s for pattern, given in self.per_file_ignores if pattern.matches(path) for s in given)
-
-    def arguments_for(self, path: Path) -> tuple[ArgumentSet, ...]:
-        """The sets of xacro arguments for a file; the last pattern that matches decides."""
-        sets = [given for pattern, given in self.xacro if pattern.matches(path)]
-        return sets[-1] if sets else ()
-
-    def misplaced(self, selector: str, message: str) -> WrongUsage:
-        """The complaint about a selector, placed in the file that uses it."""
-        file = next((file for file in self.files if selector in file.text), None)
-        return file.error(message, selector) if file else WrongUsage(message)
-
-
 class Configuration:
     """Finds and keeps the settings of each folder.
 
     ``file`` replaces all that could be found, ``isolated`` uses none. Those that are found
     may run code, write files and lead out of their repository only if they are ``trusted``.
+    ``given`` is set by the caller, for all files.
     """
 
-    __slots__ = ("_by_folder", "_fixed", "_trusted")
+    __slots__ = ("_by_folder", "_fixed", "_trusted", "given")
 
-    def __init__(self, file: Path | None = None, *, isolated: bool = False, trusted: bool = False) -> None:
+    def __init__(
+        self,
+        file: Path | None = None,
+        *,
+        isolated: bool = False,
+        trusted: bool = False,
+        given: Settings = UNSET,
+    ) -> None:
         self._by_folder: dict[Path, Settings] = {}
         self._trusted = trusted
         self._fixed: Settings | None = None
+        self.given = given
         if isolated:
-            self._fixed = Settings()
+            self._fixed = Settings().under(given)
         elif file is not None:
-            self._fixed = load(file, root=Path.cwd())
+            self._fixed = load(file, root=Path.cwd()).under(given)
+
+    def with_given(self, given: Settings) -> Configuration:
+        """The same for a caller who sets something, of one for whom nothing was set."""
+        other = Configuration(trusted=self._trusted, given=given)
+        other._fixed = self._fixed and self._fixed.under(given)
+        return other
 
     def settings_for(self, path: Path) -> Settings:
         """The settings of a file.
@@ -139,8 +79,9 @@ class Configuration:
             missing.append(place)
             settings = self._found_in(place)
             if settings is not None:
+                settings = settings.under(self.given)
                 break
-        settings = settings or Settings()
+        settings = settings or Settings().under(self.given)
         self._by_folder.update(dict.fromkeys(missing, settings))
         return settings
 
@@ -181,7 +122,7 @@ def _configures_us(pyproject: str) -> bool:
 
 def _load(path: Path, root: Path | None, below: tuple[ConfigFile, ...], trusted: bool) -> _Loaded:
     """The values that a file sets, its own over those that it extends, and all these files."""
-    from sdfcheck.lint.config.reading import ConfigFile, parse_toml, read_table, shown
+    from sdfcheck.lint.config.reading import parse_toml, read_table
 
     path = Path(os.path.abspath(path))
     above = [file.path for file in below]
@@ -219,14 +160,10 @@ def _bytes(path: Path) -> bytes:
     try:
         return read_named(path, LARGEST)
     except OSError as error:
-        from sdfcheck.lint.config.reading import shown
-
         raise WrongUsage(f"cannot read {shown(path)}: {error.strerror}") from None
 
 
 def _text(path: Path) -> str:
-    from sdfcheck.lint.config.reading import shown
-
     try:
         return _bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:

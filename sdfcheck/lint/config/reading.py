@@ -1,150 +1,30 @@
-"""The keys of a configuration file, and a table of TOML to checked values; faults are reported with their place."""
+"""A table of TOML to checked settings; faults are reported with their place."""
 
 from __future__ import annotations
 
 import os
 import re
 import sys
-from collections.abc import Callable, Mapping
-from enum import Enum
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from sdfcheck.lint.config.settings import (
+    FIELDS,
+    GIVEN,
+    UNSET,
+    ArgumentSet,
+    ConfigFile,
+    Field,
+    Pattern,
+    Settings,
+    Shape,
+)
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.relative import relative_path
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
-# The keys of a configuration file: one table for reading, for the JSON Schema, for ``--show-settings``.
-
-
-class Shape(Enum):
-    """The form of a key's value."""
-
-    SELECTORS = "a list of rule codes, names or families"
-    PATTERNS = "a list of patterns"
-    TARGETS = "a list of targets"
-    STRINGS = "a list of strings"
-    PATHS = "a list of paths"
-    PATH = "a path"
-    FLAG = "true or false"
-    MEGABYTES = "a number of megabytes"
-    SEVERITY = "a severity"
-    SEVERITIES = "a table of severities"
-    IGNORES = "a table of lists of rule codes, names or families"
-    PLACES = "a table of paths"
-    ARGUMENTS = "a table of argument tables"
-
-
-class Field(NamedTuple):
-    """One key; ``default`` is how an unset key reads in TOML."""
-
-    key: str
-    shape: Shape
-    default: str
-    summary: str
-
-    @property
-    def attribute(self) -> str:
-        """The name of the key in ``Settings``."""
-        return self.key.replace("-", "_")
-
-
-FIELDS = (
-    Field("extend", Shape.PATH, "", "A configuration file to build on; keys given here replace its keys."),
-    Field("select", Shape.SELECTORS, "", "The rules to run; unset: all that are on by default."),
-    Field("extend-select", Shape.SELECTORS, "[]", "Rules to run in addition to `select`."),
-    Field("ignore", Shape.SELECTORS, "[]", "Rules not to run."),
-    Field("preview", Shape.FLAG, "false", "Whether rules run that are not yet measured on public files."),
-    Field("per-file-ignores", Shape.IGNORES, "{}", "File pattern → rules not to run on these files."),
-    Field("severity", Shape.SEVERITIES, "{}", "Rule → severity, or `off`."),
-    Field("target", Shape.TARGETS, "[]", "The consumers that the files are meant for; empty: all of them."),
-    Field("exclude", Shape.PATTERNS, "[]", "Files and folders not to look at, as in a `.gitignore`."),
-    Field("respect-gitignore", Shape.FLAG, "true", "Whether a walk leaves out what git ignores."),
-    Field("plugins", Shape.STRINGS, "[]", "Rule packs to load: import names, or folders of `.py` files."),
-    Field("fail-on", Shape.SEVERITY, '"warning"', "Exit with 1 if a finding is at least this severe."),
-    Field(
-        "output-format", Shape.STRINGS, '["full"]', "How to report: `concise`, to a file `sarif=out.sarif`."
-    ),
-    Field("model-paths", Shape.PATHS, "[]", "Folders in which `model://` is looked up."),
-    Field("package-paths", Shape.PATHS, "[]", "Folders below which `package.xml` files are looked for."),
-    Field("packages", Shape.PLACES, "{}", "Package name → its folder."),
-    Field("env", Shape.STRINGS, "[]", "Environment variables that xacro may read."),
-    Field("max-file-size", Shape.MEGABYTES, "256", "The size, in MB, from which on files are not read."),
-    Field("xacro", Shape.ARGUMENTS, "{}", "File pattern → table of arguments, or a list of such tables."),
-)
-"""Every key, in the order in which it is documented."""
-
-
-# A table of a TOML file to checked values; faults are reported with their lines.
-
-
-ArgumentSet = tuple[tuple[str, str], ...]
-"""Names and values of xacro arguments."""
-
-
 _MOST_MEGABYTES = 1e9
-
-
-class Pattern:
-    """A pattern as in a ``.gitignore`` that lies in ``root``; ValueError if it is not valid."""
-
-    __slots__ = ("_spec", "glob", "root")
-
-    def __init__(self, root: Path, glob: str) -> None:
-        from pathspec import GitIgnoreSpec
-
-        self.root = root
-        self.glob = glob
-        self._spec = GitIgnoreSpec.from_lines([glob])
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Pattern) and (self.root, self.glob) == (other.root, other.glob)
-
-    def __hash__(self) -> int:
-        return hash((self.root, self.glob))
-
-    def __repr__(self) -> str:
-        return f"Pattern({str(self.root)!r}, {self.glob!r})"
-
-    def matches(self, path: Path) -> bool:
-        """Whether the pattern holds for a file, or for a folder above it."""
-        return bool(self.verdict(path))
-
-    def verdict(self, path: Path) -> bool | None:
-        """The same, but False if a pattern with ``!`` holds, and None if none does."""
-        relative = relative_path(path, self.root).replace(os.sep, "/")
-        return None if relative.startswith("../") else self._spec.check_file(relative).include
-
-
-class ConfigFile(NamedTuple):
-    """A configuration file's text, and the folder that its relative paths start from."""
-
-    path: Path
-    text: str
-    root: Path
-
-    def error(self, message: str, *keys: str) -> WrongUsage:
-        """The complaint, placed where the last of ``keys`` is after the others."""
-        return WrongUsage(f"{shown(self.path)}:{line_of(self.text, keys)}: {message}")
-
-
-def shown(path: Path) -> str:
-    """The path as people call it: relative, where it lies below the current folder."""
-    relative = relative_path(path)
-    return (str(path) if relative.startswith("..") else relative).replace(os.sep, "/")
-
-
-def line_of(text: str, keys: tuple[str, ...]) -> int:
-    """The line of the last of ``keys``, each looked for after the one before."""
-    bare = re.sub(r"(?m)^[ \t]*#.*", lambda match: " " * len(match[0]), text)
-    header = re.search(r"(?m)^[ \t]*\[\s*tool\.sdfcheck\b", bare)
-    place = header.start() if header else 0
-    for key in keys:
-        found = re.compile(rf"(?<![\w-]){re.escape(key)}(?![\w-])").search(bare, place)
-        if found:
-            place = found.start()
-    return bare.count("\n", 0, place) + 1
 
 
 def parse_toml(path: Path, text: str) -> dict[str, Any]:
@@ -183,6 +63,48 @@ def read_table(file: ConfigFile, table: Mapping[str, Any]) -> dict[str, Any]:
     return values
 
 
+class _Caller(ConfigFile):
+    """The place of what a program or an editor gives instead of a file: none."""
+
+    def error(self, message: str, *keys: str) -> WrongUsage:
+        return WrongUsage(message)
+
+
+def read_value(field: Field, value: object, root: Path | None = None) -> Any:
+    """A setting that a program or an editor gives, checked; relative paths start from ``root``.
+
+    Raises:
+        WrongUsage: it is not of the setting's form.
+    """
+    return _READERS[field.shape](_Caller(Path(), "", root or Path()), field, _plain(value))
+
+
+def read_given(values: Mapping[str, object]) -> Settings:
+    """The settings that a program gives by name; None leaves one to the configuration.
+
+    Raises:
+        TypeError: a caller cannot set that.
+        WrongUsage: a value is not of its setting's form.
+    """
+    for name in values:
+        if name not in GIVEN:
+            from sdfcheck.formats.near_names import did_you_mean
+
+            raise TypeError(f"there is no setting `{name}`{did_you_mean(name, GIVEN)}")
+    read = {name: read_value(GIVEN[name], value) for name, value in values.items() if value is not None}
+    return UNSET._replace(**read)
+
+
+def _plain(value: object) -> object:
+    """A value as TOML would have it."""
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return {key: _plain(each) for key, each in value.items()}
+    is_many = isinstance(value, Iterable) and not isinstance(value, str | bytes)
+    return [_plain(each) for each in value] if is_many else value  # type: ignore[attr-defined]
+
+
 def _has_nul(value: object) -> bool:
     if isinstance(value, dict):
         return any(_has_nul(each) for pair in value.items() for each in pair)
@@ -191,7 +113,7 @@ def _has_nul(value: object) -> bool:
 
 def _mismatch(file: ConfigFile, field: Field, *keys: str) -> WrongUsage:
     where = "`" + "` of `".join(reversed((field.key, *keys))) + "`"
-    expected = _EXPECTED[len(keys)].get(field.shape, field.shape.value)
+    expected = _EXPECTED[len(keys)].get(field.shape, field.shape)
     return file.error(f"{where} should be {expected}", field.key, *keys)
 
 
@@ -303,7 +225,7 @@ def _argument_set(file: ConfigFile, field: Field, table: object, glob: str) -> A
     )
 
 
-_READERS: Mapping[Shape, Callable[[ConfigFile, Field, object], Any]] = {
+_READERS: Mapping[str, Callable[[ConfigFile, Field, object], Any]] = {
     Shape.SELECTORS: _strings,
     Shape.PATTERNS: _patterns,
     Shape.TARGETS: _targets,
@@ -318,7 +240,7 @@ _READERS: Mapping[Shape, Callable[[ConfigFile, Field, object], Any]] = {
     Shape.PLACES: _places,
     Shape.ARGUMENTS: _arguments,
 }
-_EXPECTED: tuple[Mapping[Shape, str], ...] = (
+_EXPECTED: tuple[Mapping[str, str], ...] = (
     {Shape.SEVERITY: "`error`, `warning` or `info`"},
     {
         Shape.SEVERITIES: "`error`, `warning`, `info` or `off`",

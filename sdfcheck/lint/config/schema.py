@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from sdfcheck.lint.config.reading import FIELDS, Field, Shape
+from sdfcheck.lint.config.settings import FIELDS, Field, Shape
 
 _STRING = {"type": "string"}
 _STRINGS = {"type": "array", "items": _STRING}
@@ -38,7 +38,7 @@ def _property(field: Field) -> dict[str, Any]:
     return {"description": field.summary, **_shapes()[field.shape]}
 
 
-def _shapes() -> Mapping[Shape, dict[str, Any]]:
+def _shapes() -> Mapping[str, dict[str, Any]]:
     from sdfcheck.consumers.reaction import Consumer
 
     targets = sorted(consumer.value for consumer in Consumer)

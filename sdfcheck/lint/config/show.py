@@ -7,8 +7,8 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.lint.config.configuration import Settings
-from sdfcheck.lint.config.reading import FIELDS, ArgumentSet, Pattern, shown
+from sdfcheck.lint.config.settings import FIELDS, ArgumentSet, Pattern, Settings
+from sdfcheck.source.relative import shown
 
 
 def render(settings: Settings) -> str:

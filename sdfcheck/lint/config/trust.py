@@ -15,7 +15,9 @@ from typing import Any
 
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import is_below, read_regular
-from sdfcheck.lint.config.reading import ConfigFile, parse_toml, shown
+from sdfcheck.lint.config.reading import parse_toml
+from sdfcheck.lint.config.settings import ConfigFile
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import WrongUsage
 
 KEY = "trusted"

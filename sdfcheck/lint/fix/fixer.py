@@ -9,7 +9,7 @@ from itertools import takewhile
 from pathlib import Path
 
 from sdfcheck.consumers.reaction import ON_REQUEST, Consumer
-from sdfcheck.lint.config.configuration import Settings
+from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
@@ -70,7 +70,7 @@ def fix_files(done: Run, paths: Sequence[Path], options: Options, *, unsafe: boo
         return
     found = find(paths, options)
     found = found._replace(files=tuple(f for f in found.files if f.path in wanted), empty=())
-    book = RuleBook(options.choice, options.target)
+    book = RuleBook()
     with Caches(expand=options.expand, arguments=options.arguments) as caches:
         for file in selected(found, options, []):
             settings = options.settings_for(file.path)

@@ -8,8 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sdfcheck.formats.vendor import BUILT_IN as BUILT_IN_TABLES
-from sdfcheck.formats.vendor import prefix_of
 from sdfcheck.lint.rulebook.pack import CONDITIONS, Fault, read_index, rule_classes
 from sdfcheck.lint.run import BUILT_IN, RuleFacts
 
@@ -31,8 +29,8 @@ class RuleIndex:
     ) -> None:
         """``conditions`` are the modules that hold conditions of the rules; ``faults`` keep others from loading."""
         self.facts = tuple(sorted(facts))
-        self.tables = {prefix_of(path): path for path in (*BUILT_IN_TABLES, *tables)}
-        """Prefix → the table of the elements that it brings."""
+        self.tables = tuple(tables)
+        """Those of vendors' own elements that packs bring."""
         self.faults = tuple(faults)
         self._rules: dict[str, Rule] = {}
         self._conditions: dict[str, Condition] | None = None

@@ -29,6 +29,7 @@ from sdfcheck.consumers.reaction import (
     warns,
 )
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.plugins.find import find_pack
@@ -100,7 +101,7 @@ class _Expected:
         """The verdict of a consumer on a bad example."""
         if trial.bad not in self._known:
             names = tuple(one.value for one in self._consumers)
-            done = run([trial.bad], Options(Configuration(isolated=True), target=names))
+            done = run([trial.bad], Options(Configuration(isolated=True, given=UNSET._replace(target=names))))
             rows = matrix(done, trial.kind, trial.bad, self._consumers)
             self._known[trial.bad] = {row.consumer: row.verdict for row in rows}
         return self._known[trial.bad][consumer]

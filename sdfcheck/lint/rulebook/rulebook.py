@@ -6,9 +6,9 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.config.configuration import Settings
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.select import ActiveRules, Choice, UnknownSelector, covered, select, without
+from sdfcheck.lint.select import ActiveRules, UnknownSelector, covered, select, without
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
@@ -18,17 +18,11 @@ if TYPE_CHECKING:
 
 
 class RuleBook:
-    """The rules of each file, as the command line and the file's configuration choose them.
+    """The rules of each file, as its settings choose them."""
 
-    ``choice`` and ``target`` are those of the command line; None leaves the target to
-    the configuration.
-    """
+    __slots__ = ("_active", "_dispatch", "_indexes")
 
-    __slots__ = ("_active", "_choice", "_dispatch", "_indexes", "_target")
-
-    def __init__(self, choice: Choice, target: tuple[str, ...] | None) -> None:
-        self._choice = choice
-        self._target = target
+    def __init__(self) -> None:
         self._indexes: dict[tuple[str, ...], tuple[RuleIndex, tuple[RuleFacts, ...]]] = {}
         self._active: dict[tuple[Settings, tuple[str, ...]], ActiveRules] = {}
         self._dispatch: dict[tuple[Settings, tuple[str, ...]], Dispatch] = {}
@@ -72,7 +66,7 @@ class RuleBook:
 
     def _chosen(self, settings: Settings) -> ActiveRules:
         rules = self.rules(settings)
-        given = self._choice
+        given = settings.given or UNSET
         # A rule that is not there may be one that could not be loaded.
         faults = "".join(f"; {fault}" for fault in self.faults(settings))
         try:
@@ -80,13 +74,13 @@ class RuleBook:
                 covered(selector, rules)
         except UnknownSelector as error:
             raise WrongUsage(f"{error}{faults}") from None
-        target = settings.target if self._target is None else self._target
+        target = (settings.target if given.target is None else given.target) or ()
         try:
             for _, selectors in settings.per_file_ignores:
                 for selector in selectors:
                     covered(selector, rules)
             asked = _with_measured(rules, target)
-            return select(asked, settings.choice, given, severity=settings.severity, targets=target)
+            return select(asked, settings, target)
         except UnknownSelector as error:
             raise settings.misplaced(error.selector, f"{error}{faults}") from None
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from sdfcheck.files.library import Library
+from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.formats.vendor import SUFFIX
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro
@@ -43,23 +43,26 @@ class ExampleRunner:
     ) -> None:
         self._dispatch = Dispatch(index, ActiveRules(tuple(rules), {}, frozenset(targets)))
         self._xacro = Xacro(expander or Expander())
+        self._tables = index.tables
 
     def lint(self, text: str, example: Bad | Good, folder: Path | None = None) -> list[Diagnostic]:
         """Lint a text as the example's file, among the example's other files, which are written to ``folder``."""
         kind, path = _KINDS.get(Path(example.file).suffix), Path(file_name(text, example))
         if example.files is None:
-            return lint_source(text.encode(), path, kind, self._dispatch, None, self._xacro).diagnostics
+            library = Library(SearchPaths(tables=self._tables)) if self._tables else None
+            return lint_source(text.encode(), path, kind, self._dispatch, library, self._xacro).diagnostics
         if folder is None:
             with TemporaryDirectory() as made:
                 return self.lint(text, example, Path(made))
-        dispatch = self._dispatch
         for name, content in example.files.items():
             file = folder / name
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(content, encoding="utf-8")
-            if name.endswith(SUFFIX):
-                dispatch = dispatch.with_table(file)
-        return lint_source(text.encode(), folder / path, kind, dispatch, Library(), self._xacro).diagnostics
+        given = (folder / name for name in example.files if name.endswith(SUFFIX))
+        library = Library(SearchPaths(tables=(*self._tables, *given)))
+        return lint_source(
+            text.encode(), folder / path, kind, self._dispatch, library, self._xacro
+        ).diagnostics
 
 
 def file_name(text: str, example: Bad | Good) -> str:

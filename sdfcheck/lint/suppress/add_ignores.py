@@ -55,7 +55,7 @@ def add_ignores(
             wanted.setdefault(path, []).append((diagnostic, place))
     found = find(paths, options)
     found = found._replace(files=tuple(f for f in found.files if f.path in wanted), empty=())
-    book = RuleBook(options.choice, options.target)
+    book = RuleBook()
     for file in selected(found, options, []):
         rules = book.rules(options.settings_for(file.path))
         yield _marked(file, wanted[file.path], rules, reason)

@@ -7,6 +7,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sdfcheck.formats import usual
+from sdfcheck.formats.vendor.definitions import Vendor
+from sdfcheck.formats.vendor.table import vendors
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.completion.item import Item, Sort
@@ -91,6 +93,11 @@ class _Completer:
         self._usage: Usage | None = None
 
     @property
+    def vendors(self) -> Sequence[Vendor]:
+        """The tables of vendors' own elements."""
+        return vendors(self.workspace.library(self.buffer.path), "urdf" if self.is_urdf else "sdf")
+
+    @property
     def usage(self) -> Usage:
         """The habits of the text around the place."""
         if self._usage is None:
@@ -134,7 +141,7 @@ class _Completer:
         if self.is_srdf:
             found += semantic_elements(around)
         else:
-            found += element_items(around, self.version, is_urdf=self.is_urdf)
+            found += element_items(around, self.version, self.vendors)
         found += parameter_items(self.buffer.source.text, around, self.offset)
         is_known = bool(found)
         if self.is_xacro and around:
@@ -184,7 +191,7 @@ class _Completer:
             found += semantic_attributes(self.where)
         elif not tag.startswith("xacro:"):
             found += control_attributes(self.where)
-            found += attribute_items(self.where, self.version, is_urdf=self.is_urdf)
+            found += attribute_items(self.where, self.version, self.vendors)
         if self.is_xacro and tag.startswith("xacro:"):
             found += xacro_attributes(self.where, self.visible)
         if tag == "robot" and "xmlns:xacro" not in dict(self.where.given):
@@ -198,9 +205,7 @@ class _Completer:
     def _values(self) -> list[Item]:
         where = self.where
         place = f"{where.tag}@{where.attribute}" if where.attribute else where.tag
-        given = (
-            semantic_values(where) if self.is_srdf else value_items(where, self.version, is_urdf=self.is_urdf)
-        )
+        given = semantic_values(where) if self.is_srdf else value_items(where, self.version, self.vendors)
         choices = list(given)
         choices += self._usual_words(place, {item.label for item in choices})
         scores = self.usage.word_scores(place, {item.label for item in choices}, self.dialect)
@@ -213,12 +218,12 @@ class _Completer:
             name: score + bool(words_in(name) and words_in(name) <= near) for name, score in scores.items()
         }
         found = _ordered(choices, scores)
-        is_name = bool(wanted(where, self.dialect))
+        kinds = wanted(where, self.dialect, self.vendors)
         is_file = (where.attribute or where.tag) in _FILES and where.tag != "plugin"
         # Reading a long text takes a while.
-        document = self.workspace.document(self.buffer.path) if is_name or is_file else None
-        if document is not None and is_name:
-            found += name_items(self.workspace, document, where, self.offset, self.usage, self.dialect)
+        document = self.workspace.document(self.buffer.path) if kinds or is_file else None
+        if document is not None and kinds:
+            found += name_items(self.workspace, document, where, self.offset, self.usage, kinds)
         if document is not None and is_file:
             found += path_items(document, where.typed, where.tag, where.around)
         if self.is_xacro and where.where is Where.VALUE and "$" not in where.typed:

@@ -6,12 +6,12 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from sdfcheck.formats import srdf
-from sdfcheck.formats.vendor import BUILT_IN
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.likely import Usage, words_in
 from sdfcheck.lsp.completion.semantics import Tree, semantic_scores
+from sdfcheck.lsp.completion.tags import slots_at
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.names.expanded import Expanded, expansions, plain, roots_of
 from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
@@ -51,7 +51,7 @@ _OF_JOINTS = frozenset({"transmission", "ros2_control"})
 _OWN_FRAMES = {"relative_to": "__model__", "attached_to": "__model__", "expressed_in": "__model__"}
 
 
-def wanted(context: Context, dialect: str) -> tuple[str, ...]:
+def wanted(context: Context, dialect: str, vendors: Sequence[Vendor]) -> tuple[str, ...]:
     """The kinds of things that can be named; none where no name is expected."""
     tag, attribute = context.tag, context.attribute
     if dialect == "srdf":
@@ -66,7 +66,7 @@ def wanted(context: Context, dialect: str) -> tuple[str, ...]:
         if is_joint and _OF_JOINTS.intersection(context.around[-1:]):
             return ("joint",)
         table = _URDF_VALUES if is_urdf else _SDF_VALUES
-        return table.get((tag, attribute)) or _of_vendor(tag, f"@{attribute}", is_urdf=is_urdf)
+        return table.get((tag, attribute)) or _of_vendors(tag, attribute, vendors)
     if (
         tag in _SDF_TEXTS
         and not is_urdf
@@ -75,7 +75,7 @@ def wanted(context: Context, dialect: str) -> tuple[str, ...]:
         return _SDF_TEXTS[tag]
     if "plugin" in context.around:
         return _of_parameter(tag)
-    return _of_vendor(tag, "", is_urdf=is_urdf)
+    return _of_vendors(tag, "", vendors)
 
 
 def _of_parameter(tag: str) -> tuple[str, ...]:
@@ -87,28 +87,22 @@ def _of_parameter(tag: str) -> tuple[str, ...]:
     return _NODES if "frame" in words else ()
 
 
-def _of_vendor(tag: str, carrier: str, *, is_urdf: bool) -> tuple[str, ...]:
+def _of_vendors(tag: str, attribute: str, vendors: Sequence[Vendor]) -> tuple[str, ...]:
     """The parts that a vendor's own tag can name."""
-    if ":" not in tag:
-        return ()
-    for path in BUILT_IN:
-        known = vendor(path, "urdf" if is_urdf else "sdf").tags.get(tag)
-        if known is None:
-            continue
-        slots = [place.slot for place in known.places if place.carrier == (carrier or "text")]
-        slots.append(known.attributes.get(carrier[1:]) if carrier else None)
-        found = tuple(kind for slot in slots if slot is not None for kind in slot.references)
-        if found:
-            return found
-    return ()
+    slots = slots_at(tag, attribute, vendors) if ":" in tag or ":" in attribute else ()
+    return next((slot.references for slot in slots if slot.references), ())
 
 
 def name_items(
-    workspace: Workspace, document: Document, context: Context, offset: int, usage: Usage, dialect: str
+    workspace: Workspace,
+    document: Document,
+    context: Context,
+    offset: int,
+    usage: Usage,
+    kinds: tuple[str, ...],
 ) -> list[Item]:
     """The names of the kinds that are wanted, the likeliest first."""
-    kinds = wanted(context, dialect)
-    if not kinds or document.root is None:
+    if document.root is None:
         return []
     made = _made(workspace, document)
     near = [value for values in usage.neighbors(place_of(context), offset) for value in values]

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
 from sdfcheck.formats.schema import Definition, RowInVersion
-from sdfcheck.formats.vendor import BUILT_IN
-from sdfcheck.formats.vendor.definitions import Place
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.definitions import Place, Slot, Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort
@@ -21,7 +19,7 @@ from sdfcheck.xacro.static.definitions import Definitions, Macro
 _FILENAME = re.compile(r"filename\s*=\s*[\"']([^\"']+)[\"']")
 
 
-def element_items(around: tuple[str, ...], version: Version, *, is_urdf: bool) -> Iterator[Item]:
+def element_items(around: tuple[str, ...], version: Version, vendors: Sequence[Vendor]) -> Iterator[Item]:
     """The elements that the format allows in the innermost open one."""
     if not around:
         for name in ("sdf", "robot"):
@@ -30,7 +28,7 @@ def element_items(around: tuple[str, ...], version: Version, *, is_urdf: bool) -
     place = spot(around, version)
     if place is not None:
         yield from _children(place, version)
-    yield from _custom(around, is_urdf=is_urdf)
+    yield from _custom(around, vendors)
 
 
 def _children(place: Spot, version: Version) -> Iterator[Item]:
@@ -62,11 +60,9 @@ def _item(name: str, place: Spot | None, rank: int, detail: str = "", is_old: bo
     return Item(name, Sort.ELEMENT, plain(snippet), snippet, detail, rank, is_old)
 
 
-def _custom(around: tuple[str, ...], *, is_urdf: bool) -> Iterator[Item]:
+def _custom(around: tuple[str, ...], vendors: Sequence[Vendor]) -> Iterator[Item]:
     """The tags of vendors' tables in the innermost open element."""
-    dialect = "urdf" if is_urdf else "sdf"
-    for path in BUILT_IN:
-        table = vendor(path, dialect)
+    for table in vendors:
         for tag in table.tags.values():
             place = next((p for p in tag.places if p.carrier != "attribute" and _fits(p, around)), None)
             if place is None:
@@ -89,12 +85,24 @@ def _custom(around: tuple[str, ...], *, is_urdf: bool) -> Iterator[Item]:
             yield Item(tag.name, Sort.ELEMENT, plain(text), text, detail, 2 if place.needed else 7)
 
 
+def slots_at(tag: str, attribute: str, vendors: Sequence[Vendor]) -> Iterator[Slot]:
+    """The entries of tables for the value of an attribute, or of an element where ``attribute`` is empty."""
+    carrier = f"@{attribute}" if attribute else "text"
+    for table in vendors:
+        for name, kinds in ((attribute, {"attribute"}), (tag, {carrier})):
+            known = table.tags.get(name)
+            if known is not None:
+                slots = [place.slot for place in known.places if place.carrier in kinds]
+                slots.append(known.attributes.get(attribute))
+                yield from filter(None, slots)
+
+
 def _fits(place: Place, around: tuple[str, ...]) -> bool:
     names = tuple(step.name for step in reversed(place.path))
     return around[-len(names) :] == names
 
 
-def attribute_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
+def attribute_items(context: Context, version: Version, vendors: Sequence[Vendor]) -> Iterator[Item]:
     """The attributes that the format allows in a tag, and that it has not."""
     around = (*context.around, context.tag)
     given = {name for name, _ in context.given}
@@ -102,13 +110,13 @@ def attribute_items(context: Context, version: Version, *, is_urdf: bool) -> Ite
     if place is not None:
         yield from _attributes(place.definition, given)
     if ":" in context.tag and not context.tag.startswith("xacro:"):
-        yield from _custom_attributes(context.tag, given, is_urdf=is_urdf)
-    yield from _carried(around, given, is_urdf=is_urdf)
+        yield from _custom_attributes(context.tag, given, vendors)
+    yield from _carried(around, given, vendors)
 
 
-def _custom_attributes(tag: str, given: set[str], *, is_urdf: bool) -> Iterator[Item]:
-    for path in BUILT_IN:
-        known = vendor(path, "urdf" if is_urdf else "sdf").tags.get(tag)
+def _custom_attributes(tag: str, given: set[str], vendors: Sequence[Vendor]) -> Iterator[Item]:
+    for table in vendors:
+        known = table.tags.get(tag)
         if known is None:
             continue
         slots = {name: slot.choices for name, slot in known.attributes.items()}
@@ -119,10 +127,9 @@ def _custom_attributes(tag: str, given: set[str], *, is_urdf: bool) -> Iterator[
                 yield Item(name, Sort.ATTRIBUTE, plain(snippet), snippet, rank=2)
 
 
-def _carried(around: tuple[str, ...], given: set[str], *, is_urdf: bool) -> Iterator[Item]:
+def _carried(around: tuple[str, ...], given: set[str], vendors: Sequence[Vendor]) -> Iterator[Item]:
     """Vendors' tags that are attributes of standard elements."""
-    for path in BUILT_IN:
-        table = vendor(path, "urdf" if is_urdf else "sdf")
+    for table in vendors:
         for tag in table.tags.values():
             places = [place for place in tag.places if place.carrier == "attribute"]
             if tag.name not in given and any(_fits(place, around) for place in places):

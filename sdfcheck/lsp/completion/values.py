@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sdfcheck.formats import srdf
 from sdfcheck.formats.describe.spot import spot
-from sdfcheck.formats.vendor import BUILT_IN
-from sdfcheck.formats.vendor.table import vendor
+from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import plain
+from sdfcheck.lsp.completion.tags import slots_at
 
 _INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
 _SENSED = tuple(
@@ -42,7 +42,7 @@ _SYSTEMS = """
 _XACRO_COMMANDS = ("arg ", "find ", "env ", "optenv ", "eval ", "dirname", "cwd", "anon ")
 
 
-def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterator[Item]:
+def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -> Iterator[Item]:
     """The values of an attribute or text, where they are a closed list or well known."""
     tag, attribute = context.tag, context.attribute
     if tag == "plugin" and attribute == "filename":
@@ -54,7 +54,9 @@ def value_items(context: Context, version: Version, *, is_urdf: bool) -> Iterato
         return
     yield from _of_format(context, version)
     if ":" in tag or ":" in attribute:
-        yield from _of_vendor(context, is_urdf=is_urdf)
+        slots = slots_at(tag, attribute, vendors)
+        for choice in dict.fromkeys(choice for slot in slots for choice in slot.choices):
+            yield Item(choice, Sort.CHOICE, choice, rank=2)
     if tag == "sdf" and attribute == "version":
         yield from (
             Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
@@ -131,19 +133,6 @@ def _of_format(context: Context, version: Version) -> Iterator[Item]:
         yield from (Item(word, Sort.CHOICE, word, rank=2) for word in ("true", "false"))
     if default and not choices and own.type != "bool":
         yield Item(default, Sort.CHOICE, default, detail="default", rank=7)
-
-
-def _of_vendor(context: Context, *, is_urdf: bool) -> Iterator[Item]:
-    for path in BUILT_IN:
-        tags = vendor(path, "urdf" if is_urdf else "sdf").tags
-        tag = tags.get(context.tag) or tags.get(context.attribute)
-        if tag is None:
-            continue
-        slots = [place.slot for place in tag.places]
-        if context.attribute:
-            slots.append(tag.attributes.get(context.attribute))
-        for choice in dict.fromkeys(choice for slot in slots if slot is not None for choice in slot.choices):
-            yield Item(choice, Sort.CHOICE, choice, rank=2)
 
 
 def semantic_values(context: Context) -> Iterator[Item]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import used_tables
 from sdfcheck.formats.vendor.definitions import Slot
 from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.naming.references import references
@@ -166,9 +166,7 @@ def _materials(root: Root) -> Iterator[Occurrence]:
 
 def _vendor_values(root: Root) -> Iterator[tuple[Value, Slot, Element]]:
     """The values of vendors' elements that name something, and the model or robot that they are in."""
-    document = root.document
-    used = [path for path in BUILT_IN if f"{prefix_of(path)}:" in document.source.text]
-    for found in vendor_values(document, used):
+    for found in vendor_values(root.document, used_tables(root.document)):
         owner = owner_of(found.value.element) if found.slot.references else None
         if owner is not None:
             yield found.value, found.slot, owner

@@ -11,7 +11,7 @@ import pytest
 
 from sdfcheck.cli.convert.command import COMMANDS as CONVERSIONS
 from sdfcheck.cli.main import COMMANDS, main
-from sdfcheck.lint.config.reading import FIELDS
+from sdfcheck.lint.config.settings import FIELDS
 from sdfcheck.release import HOME
 
 LINES = [[name] for name in COMMANDS if name != "convert"] + [["convert", name] for name in CONVERSIONS]

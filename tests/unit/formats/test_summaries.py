@@ -11,7 +11,7 @@ from sdfcheck.formats.describe.description import summary
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import urdf
-from sdfcheck.formats.vendor import BUILT_IN, prefix_of
+from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.version import NEWEST, Version
 
@@ -54,9 +54,9 @@ def test_all_of_urdf_is_described() -> None:
 
 
 def test_all_tags_of_vendors_are_described() -> None:
-    for path in BUILT_IN:
+    for prefix, path in BUILT_IN.items():
         tags = {name for dialect in ("sdf", "urdf") for name in vendor(path, dialect).tags}
-        assert not {name for name in tags if not summary(prefix_of(path), (name,))}
+        assert not {name for name in tags if not summary(prefix, (name,))}
 
 
 def test_the_descriptions_are_sentences() -> None:

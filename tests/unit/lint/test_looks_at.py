@@ -11,12 +11,13 @@ from typing import ClassVar, NamedTuple
 import pytest
 
 from sdfcheck.consumers.reaction import REFUSES, Affects, Consumer
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import describe
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
-from sdfcheck.lint.select import SILENT, ActiveRules, select
+from sdfcheck.lint.select import ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
 from sdfcheck.lint.subjects import Subjects, is_extension
 from sdfcheck.source.document import Document, Element, read
@@ -217,7 +218,7 @@ def test_a_failing_check_is_one_diagnostic(monkeypatch: pytest.MonkeyPatch) -> N
 def test_a_rule_for_one_simulator_runs_for_its_target_only() -> None:
     index = RuleIndex([describe(AnyLink), describe(LongName)])
     for targets, codes in (((), {"XYZ001"}), (("drake",), {"XYZ001", "XYZ002"})):
-        dispatch = Dispatch(index, select(index.facts, SILENT, targets=targets))
+        dispatch = Dispatch(index, select(index.facts, UNSET, targets))
         found = lint_source(TEXT.encode(), Path("a.sdf"), None, dispatch).diagnostics
         assert {d.code for d in found} == codes
 

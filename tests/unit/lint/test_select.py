@@ -1,8 +1,9 @@
 import pytest
 
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.select import SILENT, Choice, UnknownSelector, check_targets, covered, select, without
+from sdfcheck.lint.select import UnknownSelector, check_targets, covered, select, without
 from sdfcheck.source.wrong_usage import WrongUsage
 
 
@@ -65,51 +66,48 @@ def test_a_number_that_no_rule_has_is_no_misspelling_of_another() -> None:
 @pytest.mark.parametrize(
     ("configured", "given", "codes"),
     [
-        (SILENT, SILENT, DEFAULT),
-        (Choice(select=("AAA",)), SILENT, {"AAA001", "AAA002", "AAA011"}),
-        (Choice(select=()), SILENT, set()),
-        (Choice(extend_select=("BBB001",)), SILENT, DEFAULT | {"BBB001"}),
-        (Choice(select=("ALL",), ignore=("AAA", "BBB")), SILENT, {"AA001"}),
-        (Choice(select=("AAA011",), ignore=("AAA",)), SILENT, {"AAA011"}),
-        (Choice(select=("AAA",), ignore=("third-flaw",)), SILENT, {"AAA001", "AAA002"}),
-        (Choice(select=("AAA011",), ignore=("AAA011",)), SILENT, set()),
-        (Choice(select=("AAA",)), Choice(select=("BBB001",)), {"BBB001"}),
-        (Choice(select=("AAA011",)), Choice(ignore=("AAA",)), set()),
+        (Settings(), UNSET, DEFAULT),
+        (Settings(select=("AAA",)), UNSET, {"AAA001", "AAA002", "AAA011"}),
+        (Settings(select=()), UNSET, set()),
+        (Settings(extend_select=("BBB001",)), UNSET, DEFAULT | {"BBB001"}),
+        (Settings(select=("ALL",), ignore=("AAA", "BBB")), UNSET, {"AA001"}),
+        (Settings(select=("AAA011",), ignore=("AAA",)), UNSET, {"AAA011"}),
+        (Settings(select=("AAA",), ignore=("third-flaw",)), UNSET, {"AAA001", "AAA002"}),
+        (Settings(select=("AAA011",), ignore=("AAA011",)), UNSET, set()),
+        (Settings(select=("AAA",)), Settings(select=("BBB001",)), {"BBB001"}),
+        (Settings(select=("AAA011",)), Settings(ignore=("AAA",)), set()),
         (
-            Choice(select=("AAA",)),
-            Choice(extend_select=("BBB001",)),
+            Settings(select=("AAA",)),
+            Settings(extend_select=("BBB001",)),
             {"AAA001", "AAA002", "AAA011", "BBB001"},
         ),
-        (Choice(ignore=("AAA011",)), Choice(select=("AAA",)), {"AAA001", "AAA002"}),
-        (Choice(ignore=("AAA",)), Choice(select=("AAA011",)), {"AAA011"}),
-        (Choice(ignore=("AAA011",)), Choice(extend_select=("AAA011",)), DEFAULT),
+        (Settings(ignore=("AAA011",)), Settings(select=("AAA",)), {"AAA001", "AAA002"}),
+        (Settings(ignore=("AAA",)), Settings(select=("AAA011",)), {"AAA011"}),
+        (Settings(ignore=("AAA011",)), Settings(extend_select=("AAA011",)), DEFAULT),
     ],
 )
 def test_longer_selectors_and_the_command_line_win(
-    configured: Choice, given: Choice, codes: set[str]
+    configured: Settings, given: Settings, codes: set[str]
 ) -> None:
-    assert select(RULES, configured, given).codes == codes
+    assert select(RULES, configured.under(given)).codes == codes
 
 
 def test_severities_follow_the_longest_selector_and_may_turn_off() -> None:
-    active = select(
-        RULES,
-        SILENT,
-        severity=[("AAA011", Severity.INFO), ("AAA", Severity.WARNING), ("second-flaw", None)],
-    )
+    severity = ("AAA011", Severity.INFO), ("AAA", Severity.WARNING), ("second-flaw", None)
+    active = select(RULES, Settings(severity=severity))
     assert active.severities["AAA011"] is Severity.INFO
     assert active.severities["AAA001"] is Severity.WARNING
     assert "AAA002" not in active.codes
 
 
 def test_targets_keep_rules_about_them_or_about_nobody() -> None:
-    assert select(RULES, SILENT, targets=["drake"]).codes == DEFAULT
-    assert select(RULES, SILENT, targets=["mujoco"]).codes == DEFAULT - {"AAA002"}
+    assert select(RULES, Settings(), targets=["drake"]).codes == DEFAULT
+    assert select(RULES, Settings(), targets=["mujoco"]).codes == DEFAULT - {"AAA002"}
 
 
 def test_a_target_turns_on_the_rules_that_wait_for_it() -> None:
-    assert select(RULES, SILENT, targets=["gazebo", "mujoco"]).codes == DEFAULT | {"BBB002"}
-    assert select(RULES, Choice(ignore=("BBB002",)), targets=["gazebo"]).codes == DEFAULT
+    assert select(RULES, Settings(), targets=["gazebo", "mujoco"]).codes == DEFAULT | {"BBB002"}
+    assert select(RULES, Settings(ignore=("BBB002",)), targets=["gazebo"]).codes == DEFAULT
 
 
 def test_unknown_targets_are_refused() -> None:
@@ -121,9 +119,9 @@ def test_unknown_targets_are_refused() -> None:
 
 
 def test_files_can_do_without_rules() -> None:
-    active = without(select(RULES, SILENT), ["AAA00", "third-flaw"], RULES)
+    active = without(select(RULES, Settings()), ["AAA00", "third-flaw"], RULES)
     assert active.codes == {"AA001"}
-    assert [facts.code for facts in select(RULES, SILENT).facts] == sorted(DEFAULT)
+    assert [facts.code for facts in select(RULES, Settings()).facts] == sorted(DEFAULT)
 
 
 @pytest.mark.parametrize(

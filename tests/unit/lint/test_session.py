@@ -6,8 +6,8 @@ from sdfcheck.files import regular
 from sdfcheck.files.discover import Found
 from sdfcheck.lint import session
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.select import Choice
 from sdfcheck.lint.session import InternalError, Level, Notice, Options, run
 from sdfcheck.source.sniff import HEAD, Kind
 from sdfcheck.source.wrong_usage import WrongUsage
@@ -32,9 +32,11 @@ def plant(**files: str) -> list[Path]:
     return paths
 
 
-def lint(*paths: Path, notices: list[Notice] | None = None, **options: object) -> Run:
-    given = Options(Configuration(trusted=True))._replace(**options)  # type: ignore[arg-type]
-    return run(paths, given, notify=(notices if notices is not None else list[Notice]()).append)
+def lint(
+    *paths: Path, notices: list[Notice] | None = None, given: Settings = UNSET, **options: object
+) -> Run:
+    made = Options(Configuration(trusted=True, given=given))._replace(**options)  # type: ignore[arg-type]
+    return run(paths, made, notify=(notices if notices is not None else list[Notice]()).append)
 
 
 def codes(done: Run) -> list[str]:
@@ -75,8 +77,8 @@ def test_choices_of_the_command_line_and_the_file_apply(seen: list[Seen]) -> Non
     done = lint(Path())
     assert codes(done) == ["AAA001", "BBB001", "CCC001", "BBB001", "CCC001"]
     assert {d.severity.value for d in done.diagnostics if d.code == "BBB001"} == {"error"}
-    assert codes(lint(Path(), choice=Choice(select=("AAA",)))) == ["AAA001"]
-    assert codes(lint(Path("a.sdf"), target=("gazebo",))) == ["AAA001", "CCC001"]
+    assert codes(lint(Path(), given=UNSET._replace(select=("AAA",)))) == ["AAA001"]
+    assert codes(lint(Path("a.sdf"), given=UNSET._replace(target=("gazebo",)))) == ["AAA001", "CCC001"]
 
 
 def test_each_folder_has_its_own_settings(seen: list[Seen]) -> None:
@@ -116,7 +118,7 @@ def test_mistakes_in_the_configuration_stop_the_run(seen: list[Seen], text: str,
 
 def test_mistakes_in_an_option_stop_the_run(seen: list[Seen]) -> None:
     with pytest.raises(WrongUsage, match=r"^unknown rule `XYZ`$"):
-        lint(*plant(a_sdf=SDF), choice=Choice(ignore=("XYZ",)))
+        lint(*plant(a_sdf=SDF), given=UNSET._replace(ignore=("XYZ",)))
 
 
 def test_suppressions_are_applied_and_judged(seen: list[Seen]) -> None:
@@ -124,7 +126,7 @@ def test_suppressions_are_applied_and_judged(seen: list[Seen]) -> None:
     done = lint(*plant(a_sdf=text))
     assert codes(done) == ["SUP001"]
     assert done.suppressed == 1
-    assert codes(lint(Path("a.sdf"), choice=Choice(ignore=("SUP",)))) == []
+    assert codes(lint(Path("a.sdf"), given=UNSET._replace(ignore=("SUP",)))) == []
     Path("sdfcheck.toml").write_text('severity = { SUP = "info" }')
     assert [d.severity.value for d in lint(Path("a.sdf")).diagnostics] == ["info"]
 
@@ -146,9 +148,9 @@ def test_unrelated_files(seen: list[Seen], text: str, named: Level, walked: Leve
     assert done.files == ()
     assert done.skipped[0][0] == file
     assert done.skipped[0][1].startswith("looks like ")
-    for options, path in (({}, Path()), ({"skip_unrelated": True}, file)):
+    for unrelated, path in ((False, Path()), (True, file)):
         notices.clear()
-        lint(path, notices=notices, **options)
+        lint(path, notices=notices, skip_unrelated=unrelated)
         assert [notice.level for notice in notices] == ([walked] if walked else [])
 
 

@@ -24,6 +24,7 @@ from sdfcheck.consumers.reaction import (
 )
 from sdfcheck.lint.call import lint
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.example import fill, unmark
 from sdfcheck.lint.obstacles import ELSEWHERE, OWN_CONSUMER, own_consumer, refusals
@@ -158,7 +159,7 @@ def test_the_dialect_decides(tmp_path: Path) -> None:
 def test_a_target_leaves_out_what_it_takes(consumer: str, codes: set[str], tmp_path: Path) -> None:
     file = tmp_path / "r.urdf"
     file.write_text(TWO_NAMES, encoding="utf-8")
-    done = run([file], Options(Configuration(isolated=True), target=(consumer,)))
+    done = run([file], Options(Configuration(isolated=True, given=UNSET._replace(target=(consumer,)))))
     assert {d.code for d in done.diagnostics if d.code.startswith("NAM")} == codes
 
 
@@ -213,7 +214,7 @@ def severities(text: str, folder: Path, *targets: str, **given: object) -> dict[
     """Code → severity under some targets."""
     file = folder / "r.urdf"
     file.write_text(text, encoding="utf-8")
-    done = run([file], Options(Configuration(isolated=True, **given), target=targets))  # type: ignore[arg-type]
+    done = run([file], Options(Configuration(isolated=True, given=UNSET._replace(target=targets), **given)))  # type: ignore[arg-type]
     return {found.code: found.severity.value for found in done.diagnostics}
 
 

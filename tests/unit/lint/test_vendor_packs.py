@@ -6,11 +6,13 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.rulebook.pack import PackError
-from sdfcheck.lint.rulebook.packs import load_index
-from sdfcheck.lint.select import ActiveRules, Choice, select
+from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
+from sdfcheck.lint.select import ActiveRules, select
 from sdfcheck.lint.source_file import lint_source
 from sdfcheck.testing import Trial, examples
 
@@ -30,9 +32,13 @@ DRIVE = (
 )
 
 
+def around(index: RuleIndex) -> Library:
+    return Library(SearchPaths(tables=index.tables))
+
+
 def lint(text: str) -> list[Diagnostic]:
-    dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
-    found = lint_source(text.encode(), Path("model.sdf"), None, dispatch).diagnostics
+    dispatch, library = Dispatch(INDEX, ActiveRules(INDEX.facts, {})), around(INDEX)
+    found = lint_source(text.encode(), Path("model.sdf"), None, dispatch, library).diagnostics
     assert "INT001" not in {d.code for d in found}, found
     return [d for d in found if d.code.startswith(("FLT", "DRK"))]
 
@@ -97,7 +103,7 @@ def test_rules_of_one_vendor_leave_another_alone() -> None:
 
 def test_without_the_pack_its_prefix_is_free() -> None:
     index = load_index()
-    active = select(index.facts, Choice())
+    active = select(index.facts, UNSET)
     text = MODEL.format("", "", "", "", "<flatland:x/>")
     found = lint_source(text.encode(), Path("m.sdf"), None, Dispatch(index, active)).diagnostics
     assert not [d for d in found if "flatland" in d.message]
@@ -158,7 +164,7 @@ def test_a_table_is_enough(attribute: str, severity: str | None, message: str, t
     def found(*targets: str) -> list[Diagnostic]:
         dispatch = Dispatch(index, ActiveRules(index.facts, {}, frozenset(targets)))
         text = MOTOR.format(attribute).encode()
-        every = lint_source(text, Path("robot.urdf"), None, dispatch).diagnostics
+        every = lint_source(text, Path("robot.urdf"), None, dispatch, around(index)).diagnostics
         return [each for each in every if each.code.startswith("VND")]
 
     assert [each.severity.value for each in found()] == ([] if severity is None else [severity])
@@ -171,5 +177,5 @@ def test_a_table_is_enough(attribute: str, severity: str | None, message: str, t
 def test_a_pack_with_rules_of_its_own_has_no_others() -> None:
     dispatch = Dispatch(INDEX, ActiveRules(INDEX.facts, {}))
     text = MODEL.format("", "", "", "", "<flatland:transmision/>").encode()
-    found = lint_source(text, Path("model.sdf"), None, dispatch).diagnostics
+    found = lint_source(text, Path("model.sdf"), None, dispatch, around(INDEX)).diagnostics
     assert [each.code for each in found if each.code.startswith(("FLT", "VND"))] == ["FLT001"]

@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 import sdfcheck
+from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lsp.register import make_server
-from sdfcheck.lsp.watch import choices_of
+from sdfcheck.lsp.watch import SETTINGS, choices_of
 from sdfcheck.lsp.workspace import Choices
 
 EXTENSION = Path(__file__).parents[3] / "editors" / "vscode"
@@ -50,14 +51,19 @@ def test_commands_of_the_extension_and_of_the_server_differ() -> None:
 
 
 def test_each_setting_is_read(tmp_path: Path) -> None:
-    changed: dict[str, Any] = {"boolean": True, "array": ["gazebo"], "string": "x"}
+    changed: dict[str, Any] = {"boolean": True, "array": ["gazebo"], "string": "x", "object": {"p": "x"}}
+    names = set[str]()
     for name, setting in CONTRIBUTED["configuration"]["properties"].items():
         key = name.removeprefix("sdfcheck.")
+        names.add(key)
         if key == "command":
             continue  # it says which server is started
         assert choices_of({key: setting["default"]}, tmp_path) == Choices(), key
         value = not setting["default"] if setting["type"] == "boolean" else changed[setting["type"]]
         assert choices_of({key: value}, tmp_path) != Choices(), key
+    assert names >= {*SETTINGS}
+    target = CONTRIBUTED["configuration"]["properties"]["sdfcheck.target"]
+    assert target["items"]["enum"] == [consumer.value for consumer in Consumer]
 
 
 def test_files_and_commands_of_the_manifest_exist() -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 import re
+from functools import cache
 from importlib import util
 from pathlib import Path
 from zlib import crc32
 
+from sdfcheck.formats.vendor import SUFFIX
 from sdfcheck.lint.rulebook.pack import Pack, PackError
 from sdfcheck.lint.rulebook.plugins.place import described
 from sdfcheck.lint.run import BUILT_IN
@@ -64,3 +66,30 @@ def _imported(name: str, module: str) -> Pack:
     if module != name:
         raise PackError(f"its entry point names `{module}`, which cannot be imported", name)
     raise PackError(f"no folder, no entry point `{GROUP}` and no package of that name is there", name)
+
+
+def read_tables(pack: Pack) -> list[Path]:
+    """The tables of a pack's vendors; raises PackError for one that cannot be read."""
+    paths = [] if pack.file is not None else sorted(pack.folder.glob(f"*{SUFFIX}"))
+    if paths:
+        from sdfcheck.formats.vendor.definitions import BadTable
+        from sdfcheck.formats.vendor.table import check_tables
+
+        try:
+            check_tables(paths)
+        except BadTable as error:
+            raise PackError(str(error), pack.name) from None
+    return paths
+
+
+@cache
+def tables_of(plugins: tuple[str | Path, ...]) -> tuple[Path, ...]:
+    """The tables of all plugins; none of one that cannot be loaded, which linting reports."""
+    return tuple(table for plugin in plugins for table in _readable(plugin))
+
+
+def _readable(plugin: str | Path) -> list[Path]:
+    try:
+        return read_tables(find_pack(plugin))
+    except PackError:
+        return []

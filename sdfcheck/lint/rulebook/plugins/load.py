@@ -27,7 +27,7 @@ from sdfcheck.lint.rulebook.pack import (
     read_index,
 )
 from sdfcheck.lint.rulebook.plugins.call import aside
-from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins.find import find_pack, read_tables
 from sdfcheck.lint.rulebook.plugins.place import at, described, place_of_class, place_of_error
 from sdfcheck.lint.run import BUILT_IN, RuleFacts
 from sdfcheck.source.document import Element
@@ -242,7 +242,7 @@ def load_plugins(
     """
     taken = {key: fact.module for fact in others for key in (fact.code, fact.name)}
     found, faults = list[RuleFacts](), list[Fault]()
-    tables = {prefix_of(path): path for path in BUILT_IN_TABLES}
+    tables = dict(BUILT_IN_TABLES)
     packs = [find_pack(name) for name in names]
     for pack in packs:
         own, wrong = _facts(pack, anew=anew)
@@ -259,7 +259,12 @@ def load_plugins(
             if first is not path:
                 raise PackError(f"the prefix {prefix_of(path)} is taken by {first}", pack.name)
     conditions = tuple(f"{pack.package}.{CONDITIONS}" for pack in packs if has_index(pack, CONDITIONS))
-    return Plugins(tuple(found), tuple(tables.values()), conditions, tuple(sorted(faults, key=_order)))
+    return Plugins(
+        tuple(found),
+        tuple(tables.values())[len(BUILT_IN_TABLES) :],
+        conditions,
+        tuple(sorted(faults, key=_order)),
+    )
 
 
 def _order(fault: Fault) -> tuple[str, int]:
@@ -404,19 +409,3 @@ def _modules(pack: Pack) -> Iterator[tuple[str, Path]]:
         if stem in _ASIDE or stem.startswith("test_") or any(f[0] == "." or f == "tests" for f in folders):
             continue
         yield ".".join((pack.package, *folders, *([] if stem == "__init__" else [stem]))), path
-
-
-def read_tables(pack: Pack) -> list[Path]:
-    """The tables of a pack's vendors; raises PackError for one that cannot be read."""
-    paths = [] if pack.file is not None else sorted(pack.folder.glob(f"*{SUFFIX}"))
-    if paths:
-        from sdfcheck.formats.vendor.definitions import DIALECTS, BadTable
-        from sdfcheck.formats.vendor.table import vendor
-
-        try:
-            for path in paths:
-                for dialect in DIALECTS:
-                    vendor(path, dialect)
-        except BadTable as error:
-            raise PackError(str(error), pack.name) from None
-    return paths

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import TracebackType
 
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.relative import shown
 from sdfcheck.source.wrong_usage import REPORT_IT
 
 _LONGEST = 200
@@ -39,8 +40,6 @@ def described(error: BaseException) -> str:
 
 def at(path: Path | str, line: int) -> str:
     """A place as people and terminals understand it."""
-    from sdfcheck.lint.config.reading import shown
-
     return f"{shown(Path(path))}:{line}"
 
 
