@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from sdfcheck.lint.diagnostic import Diagnostic
@@ -33,9 +34,9 @@ def lint_semantics(document: Document, dispatch: Dispatch, xacro: Xacro | None) 
 
 
 def _find_robots(document: Document, expander: Expander | None) -> None:
-    def expand(robot: Document) -> Document | None:
+    def expand(robot: Document, arguments: Mapping[str, str]) -> Document | None:
         assert expander is not None
-        return expander.expand(robot).document
+        return expander.expand(robot, arguments).document
 
     for semantics in semantics_in(document):
         find_robots(semantics, expand if expander is not None else None)

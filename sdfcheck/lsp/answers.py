@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from bisect import bisect_right
+from collections.abc import Iterable
+from itertools import chain
 from json import dumps
 from typing import Any
 
@@ -18,7 +20,8 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import definitions, occurrences, references
 from sdfcheck.lsp.names.rename import Target, rename, target
 from sdfcheck.lsp.names.spread import Refused
-from sdfcheck.lsp.outline import Entry, folds, links, outline, target_of
+from sdfcheck.lsp.outline import Maker, Part, folds, links, outline, target_of
+from sdfcheck.lsp.positions import Units, place_of
 from sdfcheck.lsp.speech import NAME, Speech, Written, plain
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Buffer, Workspace
@@ -56,8 +59,9 @@ _SYMBOLS = {
     "sensor": types.SymbolKind.Event,
     "light": types.SymbolKind.Event,
 }
-_KINDS = {name: int(kind) for name, kind in _SYMBOLS.items()}
-_OTHER = int(types.SymbolKind.Property)
+_OTHER = types.SymbolKind.Property
+_Row = tuple[str, str, tuple[int, int], str]
+"""A part in an outline without steps: its kind, its name, where that is, and the part around it."""
 
 
 class Answers:
@@ -124,8 +128,8 @@ class Answers:
     # Facts
 
     def hover(self, buffer: Buffer, params: types.HoverParams) -> types.Hover | None:
-        document = self.document(buffer)
-        offset = self.speech.offset(document.source, params.position)
+        offset = self.speech.offset(buffer.source, params.position)
+        document = self.findings.near(buffer, offset) or self.document(buffer)
         found = hover(document, offset, self.findings.at(buffer.path), self.workspace)
         if found is None:
             return None
@@ -147,20 +151,56 @@ class Answers:
         )
 
     def symbols(self, buffer: Buffer, _: Any) -> Written | list[types.SymbolInformation]:
-        entries = outline(buffer.source)
+        source = buffer.source
         if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
-            places = self.speech.written_places(buffer.source)
-            return Written(f"[{','.join(_symbol(entry, places) for entry in entries)}]")
-        return list(self._flat(buffer.source, entries, ""))
+            return Written(f"[{','.join(outline(source, self._written_symbol(source)))}]")
+        return [
+            types.SymbolInformation(
+                self.speech.location(source.span(*place)),
+                name,
+                _SYMBOLS.get(kind, _OTHER),
+                container_name=holder,
+            )
+            for rows in outline(source, _flat)
+            for kind, name, place, holder in rows
+        ]
 
-    def _flat(
-        self, source: Source, entries: Iterable[Entry], holder: str
-    ) -> Iterable[types.SymbolInformation]:
-        for entry in entries:
-            kind = _SYMBOLS.get(entry.kind, types.SymbolKind.Property)
-            place = self.speech.location(source.span(*entry.place))
-            yield types.SymbolInformation(place, entry.name, kind, container_name=holder)
-            yield from self._flat(source, entry.children, entry.name)
+    def _written_symbol(self, source: Source) -> Maker[str]:
+        """Writes parts of an outline as the protocol does."""
+        starts, units = [*source.line_starts, len(source.text) + 1], self.speech.units
+        is_plain = units is Units.UTF32 or source.text.isascii()
+
+        def place(offset: int) -> str:
+            line, column = place_of(source, offset, units)
+            return f'{{"line":{line},"character":{column}}}'
+
+        heads: dict[str, str] = {}
+
+        def written(part: Part[str], end: int) -> str:
+            kind, detail, name, start, first, last, parts = part
+            head = heads.get(detail)
+            if head is None:
+                head = f'"kind":{int(_SYMBOLS.get(kind, _OTHER))},"detail":{dumps(detail)},"name":'
+                heads[detail] = head
+            own = f'{head}"{name}"' if name.isidentifier() else head + dumps(name)
+            line = bisect_right(starts, start)
+            before = starts[line - 1]
+            if is_plain and last < starts[line]:  # as nearly always
+                below = bisect_right(starts, end, line - 1) - 1
+                row = f'{{"line":{line - 1},"character":'
+                places = (
+                    f'"range":{{"start":{row}{start - before}}},'
+                    f'"end":{{"line":{below},"character":{end - starts[below]}}}}},'
+                    f'"selectionRange":{{"start":{row}{first - before}}},"end":{row}{last - before}}}}}'
+                )
+            else:
+                places = (
+                    f'"range":{{"start":{place(start)},"end":{place(end)}}},'
+                    f'"selectionRange":{{"start":{place(first)},"end":{place(last)}}}'
+                )
+            return f'{{{own},{places},"children":[{",".join(parts)}]}}' if parts else f"{{{own},{places}}}"
+
+        return written
 
     def folds(self, buffer: Buffer, _: Any) -> Written:
         kinds = {True: ',"kind":"comment"', False: ""}
@@ -208,7 +248,7 @@ class Answers:
             types.WorkspaceSymbol(
                 self.speech.location(found.span),
                 found.name,
-                _SYMBOLS.get(found.kind, types.SymbolKind.Property),
+                _SYMBOLS.get(found.kind, _OTHER),
                 container_name=found.span.source.path.name,
             )
             for found in survey(self.workspace, query)
@@ -293,15 +333,12 @@ class Answers:
             return refusal
 
 
-def _symbol(entry: Entry, places: Callable[[int, int, int, int], str]) -> str:
-    """A part of the outline with its own parts, as the protocol writes it."""
-    children = ",".join([_symbol(child, places) for child in entry.children]) if entry.children else ""
-    name = f'"{entry.name}"' if entry.name.isidentifier() else dumps(entry.name)
-    detail = f'"{entry.detail}"' if entry.detail.isidentifier() else dumps(entry.detail)
-    return (
-        f'{{"name":{name},"detail":{detail},"kind":{_KINDS.get(entry.kind, _OTHER)},'
-        f'{places(entry.start, entry.end, *entry.place)},"children":[{children}]}}'
-    )
+def _flat(part: Part[list[_Row]], end: int) -> list[_Row]:
+    kind, _, name, _, first, last, parts = part
+    return [
+        (kind, name, (first, last), ""),
+        *((*row[:3], row[3] or name) for row in chain.from_iterable(parts)),
+    ]
 
 
 def _is_wanted(kind: str, wanted: list[str]) -> bool:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, cast
 
 from sdfcheck.lsp.names.srdf_names import descriptions_for
+from sdfcheck.lsp.signature import described, macro_of
 from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.root import root_of
@@ -48,6 +49,8 @@ def _of_xacro(document: Document, symbol: Symbol) -> Iterator[str]:
     text = source.line(symbol.span.begin.line).strip()
     if symbol.kind in {"property", "argument", "macro", "parameter"}:
         yield f"set in line {symbol.span.begin.line}: `{text.replace('`', ' ')}`"
+    if symbol.kind == "macro" and (macro := macro_of(document, symbol.name)) is not None:
+        yield from described(macro)
     if (
         cursor is not None
         and symbol.kind == "property"

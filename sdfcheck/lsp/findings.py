@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.fold import without_repeats
 from sdfcheck.lint.one_file import Selected, lint_file, lint_included
+from sdfcheck.lsp.glance import Look, glance, look, near
 from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document
@@ -41,6 +42,35 @@ class Findings:
         self._roots_for: dict[str, set[str]] = {}
         """Open file of macros → the robots on disk that were linted for it."""
         self._foreign: dict[str, _Foreign] = {}
+        self._looks: dict[str, tuple[Look | None, int]] = {}
+        """Open file → what a glance at it needs, and the generation of documents."""
+        self._glanced: dict[str, Source] = {}
+
+    def glance(self, buffer: Buffer) -> bool:
+        """Look at what has changed in an open text, if that alone can be looked at; the rest is for :meth:`lint`."""
+        key, last = self.workspace.key(buffer.path), self._last(buffer)
+        if last is None or last.source is buffer.source:
+            return False
+        if self._glanced.get(key) is buffer.source:
+            return True
+        dispatch = self.workspace.book.dispatch(self.workspace.settings_for(buffer.path), buffer.path)
+        found = glance(buffer, last, dispatch)
+        if found is not None:
+            self._by_root[key], self._glanced[key] = tuple(found), buffer.source
+        return found is not None
+
+    def near(self, buffer: Buffer, offset: int) -> Document | None:
+        """An open text as far as it tells about a place; None where all of it is to be asked, or was."""
+        last = self._last(buffer)
+        found = None if last is None or last.source is buffer.source else near(buffer, last, offset)
+        if found is not None:
+            found.library = self.workspace.library(buffer.path)
+        return found
+
+    def _last(self, buffer: Buffer) -> Look | None:
+        """The last look at a text, if the files around it are still the same."""
+        last, is_of = self._looks.get(self.workspace.key(buffer.path), (None, -1))
+        return last if is_of == self.workspace.generation else None
 
     def lint(self, buffer: Buffer) -> None:
         """Look at an open text, and at what it includes for the first time; at the same text once."""
@@ -48,6 +78,8 @@ class Findings:
         if self._looked.get(key) != state:
             self._lint(buffer.path, buffer.data, buffer)
             self._looked[key] = state
+            known = look(buffer, self._by_root[key], self._last(buffer))
+            self._looks[key] = known, self.workspace.generation
             self.workspace.caches.tidy()
 
     def lint_from_disk(self, path: Path) -> None:
@@ -80,6 +112,8 @@ class Findings:
         key = self.workspace.key(path)
         self._by_root.pop(key, None)
         self._looked.pop(key, None)
+        self._looks.pop(key, None)
+        self._glanced.pop(key, None)
         for root in self._roots_for.pop(key, set()):
             self._by_root.pop(root, None)
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import groupby, repeat
 from operator import itemgetter
 from pathlib import Path
+from typing import TypeVar
 
 from sdfcheck.files.uris import locate
 from sdfcheck.lsp.cursor import elements
@@ -28,100 +29,97 @@ _URIS = frozenset(
 )
 
 
-_NAMES = "|".join(
-    f"{first}(?:{'|'.join(name[1:] for name in names)})"
-    for first, names in groupby(sorted(_SHOWN), key=itemgetter(0))
-)
-_TAGS = re.compile(
-    rf"<(?:({_NAMES})(?=[\s/>])([^<>\"']*(?:(?:\"[^\"<]*\"|'[^'<]*')[^<>\"']*)*)>"
-    rf"|/({_NAMES})\s*>|!--[\s\S]*?-->|!\[CDATA\[[\s\S]*?\]\]>)"
-)
+def _tags(shown: Iterable[str]) -> re.Pattern[str]:
+    """Tags with these names; a name that is written as usual is apart from the other attributes."""
+    names = "|".join(
+        f"{first}(?:{'|'.join(name[1:] for name in some)})"
+        for first, some in groupby(sorted(shown), key=itemgetter(0))
+    )
+    return re.compile(
+        rf"<(?:({names})(?=[\s/>])(?: name=\"([\w.:/-]+)\")?([^<>\"']*(?:(?:\"[^\"<]*\"|'[^'<]*')[^<>\"']*)*)>"
+        rf"|/({names})\s*>|!--[\s\S]*?-->|!\[CDATA\[[\s\S]*?\]\]>)"
+    )
+
+
+_TAGS = {True: _tags(_SHOWN), False: _tags(_SHOWN - {"material"})}
+"""Those of all texts, and of those in which no material has a name."""
 _LABELS = {
     label: re.compile(rf"(?:^|\s){label}\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
-    for label in ("name", "filename", "reference", "type")
+    for label in ("name", "filename", "reference")
 }
+_MATERIAL = re.compile(r"<material\s")
+_TYPE = re.compile(r"(?:^|\s)type\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
 _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
 """The attribute that holds the name, where it is another one."""
 _TYPED = frozenset({"joint", "sensor", "light"})
-_NAMED = frozenset(('name="', "name='"))
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 
 
-class Entry:
-    """A part of a text; ``kind`` is the name of its element. Its name is at ``place``."""
-
-    __slots__ = ("children", "detail", "end", "kind", "name", "place", "start")
-
-    def __init__(self, kind: str, name: str, detail: str, start: int, place: tuple[int, int]) -> None:
-        self.kind = kind
-        self.name = name
-        self.detail = detail
-        self.start = self.end = start
-        self.place = place
-        self.children: list[Entry] = []
+T = TypeVar("T")
 
 
-def outline(source: Source) -> list[Entry]:
+Part = tuple[str, str, str, int, int, int, list[T]]
+"""A part of a text: the name of its element, that with its type, its own name, where it starts, where its name
+starts and ends, and what was made of its own parts.
+"""
+Maker = Callable[[Part[T], int], T]
+"""Makes something of a part and where it ends."""
+
+
+def outline(source: Source, made: Maker[T]) -> list[T]:  # noqa: C901 - the hot loop
     """The named parts of a text, as a tree; found by their tags alone, broken or not."""
     text = source.text
-    top: list[Entry] = []
-    stack: list[Entry] = []
-    for tag in _TAGS.finditer(text):
-        name, inside, closed = tag.groups()
-        if name is not None:
-            entry = _entry(name, inside, tag.start())
-            if inside[-1:] == "/":
-                _close(entry, tag.end(), stack, top)
-            else:
-                stack.append(entry)
-        elif closed is not None and stack and stack[-1].kind == closed:
-            _close(stack.pop(), tag.end(), stack, top)
-        elif closed is not None and any(each.kind == closed for each in stack):
-            while stack[-1].kind != closed:
-                _close(stack.pop(), tag.start(), stack, top)
-            _close(stack.pop(), tag.end(), stack, top)
+    top: list[T] = []
+    stack: list[Part[T]] = []
+
+    def close(end: int) -> None:
+        """An element ends: it belongs to the one around it, or else its parts do."""
+        part = stack.pop()
+        kind, detail, name, start, _, _, parts = part
+        if not name:
+            if kind == "material" and not parts:
+                return
+            part = (kind, detail, _named(kind, text, start, end), *part[3:])
+        (stack[-1][6] if stack else top).append(made(part, end))
+
+    for tag in _TAGS[_MATERIAL.search(text) is not None].finditer(text):
+        match tag.lastindex:
+            case 4 if stack:
+                closed = tag[4]
+                if stack[-1][0] != closed:
+                    if not any(each[0] == closed for each in stack):
+                        continue
+                    while stack[-1][0] != closed:
+                        close(tag.start())
+                close(tag.end())
+            case 3:
+                kind, name, inside, _ = tag.groups()
+                detail, place = kind, tag.span(2)
+                if name is None or kind in _OTHERS:
+                    name, place = _labelled(kind, text, tag.start(), tag.end() - 1)
+                if kind in _TYPED and (typed := _TYPE.search(inside)) is not None:
+                    detail = f"{kind} {typed[1]}".strip()
+                stack.append((kind, detail, name, tag.start(), *place, []))
+                if inside[-1:] == "/":
+                    close(tag.end())
     while stack:
-        _close(stack.pop(), len(text), stack, top)
-    for entry in top:
-        _name_includes(entry, text)
+        close(len(text))
     return top
 
 
-def _entry(kind: str, inside: str, start: int) -> Entry:
+def _labelled(kind: str, text: str, start: int, end: int) -> tuple[str, tuple[int, int]]:
+    """The name of an element, which is not written as usual or not at all, and its place."""
     at = start + 1 + len(kind)
-    label = _OTHERS.get(kind, "name")
-    name, first = "", 0
-    if label == "name" and inside[1:7] in _NAMED and (end := inside.find(inside[6], 7)) > 0:  # as usual
-        quoted = inside[7:end]
-        name = quoted.strip()
-        first = 7 + quoted.find(name)
-    elif inside and (match := _LABELS[label].search(inside)) is not None:
-        name, first = match[1], match.start(1)
-    place = (at + first, at + first + len(name)) if name else (start + 1, at)
-    detail = kind
-    if kind in _TYPED and (typed := _LABELS["type"].search(inside)) is not None:
-        detail = f"{kind} {typed[1]}".strip()
-    return Entry(kind, unescape(name) if "&" in name else name, detail, start, place)
+    name = _LABELS[_OTHERS.get(kind, "name")].search(text, at, end)
+    return (unescape(name[1]), name.span(1)) if name and name[1] else ("", (start + 1, at))
 
 
-def _close(entry: Entry, end: int, stack: list[Entry], top: list[Entry]) -> None:
-    """An element ends: it belongs to the one around it, or else its parts do."""
-    entry.end = end
-    if entry.kind == "material" and not entry.name and not entry.children:
-        return
-    (stack[-1].children if stack else top).append(entry)
-
-
-def _name_includes(entry: Entry, text: str) -> None:
-    """Name includes after what they bring, and what has no name after its element."""
-    waiting = [entry]
-    while waiting:
-        one = waiting.pop()
-        waiting += one.children
-        if not one.name and one.kind == "include":
-            found = {match[1]: match[2] for match in _BROUGHT.finditer(text, one.start, one.end)}
-            one.name = found.get("name") or found.get("uri") or ""
-        one.name = one.name or one.kind
+def _named(kind: str, text: str, start: int, end: int) -> str:
+    """A name for what has none: an include's is what it brings, and others are named after their element."""
+    found = {}
+    if kind == "include":
+        found = {match[1]: match[2] for match in _BROUGHT.finditer(text, start, end)}
+    return found.get("name") or found.get("uri") or kind
 
 
 Fold = tuple[int, int, bool]

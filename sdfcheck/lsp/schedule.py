@@ -6,7 +6,7 @@ import asyncio
 import time
 from collections.abc import Awaitable, Callable
 
-LONGEST = 0.05
+LONGEST = 0.02
 """The longest wait after a keystroke, in s; a text that is linted in no time waits for nothing."""
 _QUICK = 0.04
 

@@ -22,9 +22,12 @@ from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol, lsp_method
 from pygls.uris import from_fs_path
 
+from sdfcheck.lsp.completion.complete import complete
+from sdfcheck.lsp.cursor import at
 from sdfcheck.lsp.findings import Findings
+from sdfcheck.lsp.hover import hover
+from sdfcheck.lsp.names.index import occurrences
 from sdfcheck.lsp.positions import Units, changed
-from sdfcheck.lsp.prime import prime
 from sdfcheck.lsp.schedule import Schedule
 from sdfcheck.lsp.speech import NAME, Speech, Written, path_of
 from sdfcheck.lsp.sweep import Sweep
@@ -41,6 +44,9 @@ Report = types.WorkspaceFullDocumentDiagnosticReport | types.WorkspaceUnchangedD
 
 _PAUSE, _PATIENCE = 2.0, 30
 """A request for the diagnostics of files that are not open waits so many pauses, in s, for news."""
+
+_STEP, _STEPS = 0.01, 20
+"""After a glance at a change the whole text is looked at when it has been still for so many steps, in s."""
 
 
 class Protocol(LanguageServerProtocol):
@@ -240,12 +246,17 @@ class Server(LanguageServer):
     async def _lint(self, key: str) -> None:
         number = self._edits.get(key)
 
-        def job() -> None:
+        def job(look: Callable[[Buffer], T]) -> T | None:
             buffer = self.robots.buffers.get(key)
-            if buffer is not None:
-                self.findings.lint(buffer)
+            return None if buffer is None else look(buffer)
 
-        await self.work(job, None, LINT)
+        if await self.work(lambda: job(self.findings.glance), None, LINT):
+            await self._update_client()
+            for _ in range(_STEPS):
+                await asyncio.sleep(_STEP)
+                if self._edits.get(key) != number:
+                    return
+        await self.work(lambda: job(self.findings.lint), None, LINT)
         if self._edits.get(key) == number:  # else another run follows, and this one is stale
             await self._update_client()
             self._follow(key)
@@ -253,10 +264,21 @@ class Server(LanguageServer):
             await self.work(lambda: self._prime(key, number), None, SURVEY)
 
     def _prime(self, key: str, number: int | None) -> None:
+        """Compute, while no request waits, the views that requests about a text need, and drop the others."""
         buffer = self.robots.buffers.get(key)
-        if buffer is not None and self._edits.get(key) == number:
-            prime(self.robots, buffer, is_first=not self._is_primed)
-            self._is_primed = True
+        if buffer is None or self._edits.get(key) != number:
+            return
+        buffer.tidy()
+        document, text = self.robots.document(buffer.path), buffer.source.text
+        if document is None:
+            return
+        at(document, len(text))
+        names = occurrences(document).all
+        buffer.checkpoints.around(text, len(text))
+        if names and not self._is_primed:
+            hover(document, names[0].span.start)
+            complete(self.robots, buffer, names[-1].span.start)
+        self._is_primed = True
 
     async def _survey(self, key: str) -> None:
         """Look at files that are not open and use this one, one at a time: what they bring out is shown here, too."""
@@ -336,7 +358,8 @@ class Server(LanguageServer):
         """The diagnostics of an open text, as it is now."""
 
         def answer(buffer: Buffer) -> list[types.Diagnostic]:
-            self.findings.lint(buffer)
+            if not self.findings.glance(buffer):
+                self.findings.lint(buffer)
             return list(map(self.speech.diagnostic, self.findings.at(buffer.path)))
 
         number = self._edits.get(self.open.get(uri, ""))

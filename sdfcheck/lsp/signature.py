@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from sdfcheck.lsp.completion.context import Context, Where, context
 from sdfcheck.lsp.workspace import Buffer, Workspace
-from sdfcheck.source.document import Comment
+from sdfcheck.source.document import Comment, Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.xacro.language import KEYWORDS, PREFIX, Parameter
 from sdfcheck.xacro.static.definitions import Macro, visible_definitions
@@ -31,11 +33,23 @@ def signature(workspace: Workspace, buffer: Buffer, offset: int) -> Signature | 
     if name == "call":
         name = dict(place.given).get("macro", "")
     document = workspace.document(buffer.path)
-    if document is None or name in KEYWORDS:
-        return None
+    macro = None if document is None or name in KEYWORDS else macro_of(document, name)
+    return None if macro is None else _signature(macro, place)
+
+
+def macro_of(document: Document, name: str) -> Macro | None:
+    """The macro that a call in a document means."""
     known = visible_definitions(document).macros
     found = known.get(name) or known.get(name.rpartition(".")[2])
-    return _signature(found[-1], place) if found else None
+    return found[-1] if found else None
+
+
+def described(macro: Macro) -> Iterator[str]:
+    """The comment before a macro, and its parameters."""
+    if story := _story(macro):
+        yield story
+    if rows := [f"- `{_written(each)}`: {_note(each)}" for each in macro.parameters]:
+        yield "\n".join(rows)
 
 
 def _signature(macro: Macro, place: Context) -> Signature:

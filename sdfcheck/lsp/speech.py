@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from bisect import bisect_right
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote, urlsplit
@@ -21,9 +20,6 @@ from sdfcheck.source.text import Source, Span
 
 NAME = "sdfcheck"
 _NOT_ENCODED = re.compile("[\ud800-\udfff]")
-
-_DIGITS = [str(number) for number in range(256)]
-"""Small numbers, written: columns, of which a long answer has many."""
 
 _SEVERITIES = {
     Severity.ERROR: types.DiagnosticSeverity.Error,
@@ -92,30 +88,6 @@ class Speech:
     def range(self, span: Span) -> types.Range:
         source = span.source
         return types.Range(self.position(source, span.start), self.position(source, span.end))
-
-    def written_places(self, source: Source) -> Callable[[int, int, int, int], str]:
-        """A function that writes two ranges of a text: of something, and of its name."""
-        starts = source.line_starts
-        is_plain = self.units is Units.UTF32 or source.text.isascii()
-
-        def written(start: int, end: int, name: int, close: int) -> str:
-            line = bisect_right(starts, start)
-            before = starts[line - 1]
-            last = bisect_right(starts, end, line - 1) - 1
-            column, d = end - starts[last], close - before
-            is_short = d < len(_DIGITS) and column < len(_DIGITS)
-            if is_plain and is_short and (line == len(starts) or close < starts[line]):  # as most are
-                row = f'{{"line":{line - 1},"character":'
-                return (
-                    f'"range":{{"start":{row}{_DIGITS[start - before]}}},'
-                    f'"end":{{"line":{last},"character":{_DIGITS[column]}}}}},'
-                    f'"selectionRange":{{"start":{row}{_DIGITS[name - before]}}},"end":{row}{_DIGITS[d]}}}}}'
-                )
-            places = [place_of(source, each, self.units) for each in (start, end, name, close)]
-            a, b, c, e = (f'{{"line":{each.line},"character":{each.column}}}' for each in places)
-            return f'"range":{{"start":{a},"end":{b}}},"selectionRange":{{"start":{c},"end":{e}}}'
-
-        return written
 
     def location(self, span: Span) -> types.Location:
         source = span.source

@@ -19,6 +19,7 @@ from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import check_targets, covered
 from sdfcheck.lsp.completion.context import Checkpoints
 from sdfcheck.lsp.names.xacro_names import Own
+from sdfcheck.lsp.reparse import LONG, reparsed
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
@@ -49,7 +50,7 @@ class Choices(NamedTuple):
 class Buffer:
     """A text that is open in the editor; its document is made when it is asked for."""
 
-    __slots__ = ("_document", "_stale", "checkpoints", "path", "source", "uri", "version")
+    __slots__ = ("_document", "_stale", "checkpoints", "last", "path", "source", "uri", "version")
 
     def __init__(self, uri: str, path: Path, text: str, version: int | None) -> None:
         self.uri = uri
@@ -58,11 +59,17 @@ class Buffer:
         self.version = version
         self.checkpoints = Checkpoints()
         self._document: Document | None = None
+        self.last: Document | None = None
+        """The document of an earlier text that was well-formed, as far as no other document depends on it."""
         self._stale: list[Document] = []
 
     def write(self, source: Source, version: int | None, kept: int = 0) -> None:
         """Take a new text, which begins with ``kept`` characters of the old one."""
-        self.forget()
+        old = self._document
+        if old is not None and old.is_wellformed and len(old.source.text) >= LONG:
+            old, self.last = self.last, old
+        self._stale += filter(None, [old])
+        self._document = None
         self.source, self.version = source, version
         self.checkpoints.cut(kept)
 
@@ -73,9 +80,8 @@ class Buffer:
 
     def forget(self) -> None:
         """Make the document anew when it is asked for next."""
-        if self._document is not None:
-            self._stale.append(self._document)
-        self._document = None
+        self._stale += filter(None, [self._document, self.last])
+        self._document = self.last = None
 
     def tidy(self, kept: int = 0) -> None:
         """Drop old documents, which takes a while; so many are kept for later."""
@@ -95,10 +101,21 @@ class Buffer:
     @property
     def document(self) -> Document:
         """The text as it is read; not to be looked at by two threads."""
-        if self._document is None:
+        found = self.soon
+        if found is None:
             self.tidy(kept=1)
             kind = self.kind
-            self._document = Document(self.source, None if kind is Kind.BROKEN_XML else kind, [])
+            self._document = found = Document(self.source, None if kind is Kind.BROKEN_XML else kind, [])
+        return found
+
+    @property
+    def soon(self) -> Document | None:
+        """The same, as far as it is known or takes but a moment to be read."""
+        if self._document is None and (last := self.last) is not None:
+            self._document = reparsed(last, self.source, self.kind)
+            if self._document is not None:
+                self._stale.append(last)
+                self.last = None
         return self._document
 
     @property

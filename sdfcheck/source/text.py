@@ -63,8 +63,16 @@ class Source:
         return self._line_starts
 
     def edited(self, start: int, end: int, text: str) -> Source:
-        """The same with another text in place of a range; its lines are not counted again where they are known."""
+        """The same with another text in place of a range; what is known of the lines and words is not lost."""
         result = Source(self.path, self.text[:start] + text + self.text[end:])
+        for words, found in self._contains.items():
+            margin = len(words) - 1
+            if not found:
+                result._contains[words] = (
+                    words in result.text[max(0, start - margin) : start + len(text) + margin]
+                )
+            elif words not in self.text[max(0, start - margin) : end + margin]:
+                result._contains[words] = True
         known = self._line_starts
         if known is not None and "\r" not in self.text and "\r" not in text:
             first, last = bisect_right(known, start), bisect_right(known, end)

@@ -16,8 +16,12 @@ from sdfcheck.lsp.completion.likely import Usage, plain, words_in
 from sdfcheck.lsp.completion.names import name_items, wanted
 from sdfcheck.lsp.completion.paths import path_items
 from sdfcheck.lsp.completion.tags import (
+    Macros,
+    Project,
     attribute_items,
+    block_items,
     element_items,
+    macros_in,
     parameter_items,
     seen_attributes,
     seen_items,
@@ -37,12 +41,14 @@ from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
 
 _VERSION = re.compile(r"<sdf\b[^<>]*?\bversion\s*=\s*[\"']([^\"']*)[\"']")
 _EXPRESSION = re.compile(r"\$\{[^}]*?([^\W\d]\w*)?\Z")
 _SUBSTITUTION = re.compile(r"\$\((?:(arg|find)\s+)?([^\s)]*)\Z")
 _ASKED = re.compile(r"\$\(arg\s+([^\s()$]+)\)")
+_MACRO = re.compile(r"<xacro:macro\b[^<>]*?\sname\s*=\s*[\"']([^\"'<>]+)[\"']|</xacro:macro")
 _FILES = frozenset({"uri", "filename", "albedo_map", "normal_map", "metalness_map", "roughness_map"})
 _KINDS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.BROKEN_XML, Kind.EMPTY})
 _KEYWORDS = {
@@ -90,6 +96,8 @@ class _Completer:
         self.dialect = "srdf" if self.is_srdf else "urdf" if self.is_urdf else "sdf"
         version = _VERSION.search(buffer.source.text, 0, 4096)
         self.version = (Version.parse(version[1]) if version else None) or NEWEST
+        self.parameters: list[Item] = []
+        """Those of the plugin around the place."""
         self._usage: Usage | None = None
 
     @property
@@ -101,7 +109,8 @@ class _Completer:
     def usage(self) -> Usage:
         """The habits of the text around the place."""
         if self._usage is None:
-            self._usage = Usage(self.buffer.source.text, self.where, self.offset)
+            is_choice = self.written[-1:] != self.where.around[-1:]
+            self._usage = Usage(self.buffer.source.text, self.where, self.offset, is_choice=is_choice)
         return self._usage
 
     def run(self) -> Completion:
@@ -135,6 +144,16 @@ class _Completer:
         assert document is not None
         return [visible_definitions(each) for each in (document, *roots_of(document))]
 
+    @property
+    def project(self) -> Project:
+        """The words of the xacro files of the project."""
+        return self.workspace.library(self.buffer.path).of_project(self.buffer.path, Project)
+
+    @property
+    def macros(self) -> Macros:
+        """The macros that a file can see, or could if packages were found."""
+        return {**self.project.included(self.buffer.source.text), **macros_in(self.visible)}
+
     def _elements(self) -> list[Item]:
         around = self.where.around
         found: list[Item] = [*control_items(around)]
@@ -142,10 +161,14 @@ class _Completer:
             found += semantic_elements(around)
         else:
             found += element_items(around, self.version, self.vendors)
-        found += parameter_items(self.buffer.source.text, around, self.offset)
+        self.parameters = [*parameter_items(self.buffer.source.text, around, self.offset)]
+        found += self.parameters
         is_known = bool(found)
         if self.is_xacro and around:
-            found += xacro_elements(self.visible)
+            macros = self.macros
+            if around[-1].startswith("xacro:") and around[-1].removeprefix("xacro:") not in KEYWORDS:
+                found = [*block_items(around[-1], {**self.project.macros, **macros})]
+            found += xacro_elements(macros)
         found += seen_items(self.usage.seen_elements(), "in this file")
         if not is_known or around[-1:] == ("plugin",):
             found += seen_items(usual.children(self.dialect, around[-1] if around else ""), "")
@@ -160,9 +183,22 @@ class _Completer:
         if self.is_xacro:
             macros = [item.label for item in unique.values() if item.sort is Sort.MACRO]
             scores = {**scores, **dict(self._calls(macros, scores))}
+            scores |= {f"xacro:{name}": -1.0 for name in self._open_macros()}
         present = {*self.usage.before, *self.usage.after}
         needed = {item.label for item in unique.values() if item.rank == 1 and item.label not in present}
-        return _ordered(unique.values(), {name: score + (name in needed) for name, score in scores.items()})
+        read = {item.label for item in self.parameters} - present
+        more = ((name, score + (name in needed) + (name in read)) for name, score in scores.items())
+        return _ordered(unique.values(), dict(more))
+
+    def _open_macros(self) -> list[str]:
+        """The macros that the place is in, which do not call themselves."""
+        found: list[str] = []
+        for name in _MACRO.findall(self.buffer.source.text, 0, self.offset):
+            if name:
+                found.append(name)
+            elif found:
+                found.pop()
+        return found
 
     def _calls(self, macros: Sequence[str], scores: Mapping[str, float]) -> Iterator[tuple[str, float]]:
         """How likely calls are: rather of macros that nobody calls yet, and that are called like their neighbors."""
@@ -170,14 +206,16 @@ class _Completer:
             f"xacro:{call.name}" for each in self.visible for read in each.readings for call in read.calls
         }
         new = [name for name in macros if name not in called]
+        # Elsewhere than in robots and macros, elements of the format are likelier, as long as nothing is typed.
+        share = 1.0 if self.where.typed or self.where.around[-1:] in {("robot",), ("xacro:macro",)} else 0.1
         near = words_in(" ".join([*self.usage.before[-1:], *self.usage.after[:1]]))
         for name in macros:
             own = words_in(name)
             alike = len(own & near) / max(1, len(own | near))
-            yield name, scores[name] + (name in new) * 0.4 / max(1, len(new)) + 0.1 * alike
-        for name, share in _KEYWORDS.items():
+            yield name, scores[name] + share * (0.4 * (name in new) / max(1, len(new)) + 0.1 * alike)
+        for name, often in _KEYWORDS.items():
             if name in scores:
-                yield name, scores[name] + share
+                yield name, scores[name] + share * often
 
     def _with_end(self, items: list[Item]) -> list[Item]:
         if self.written:
@@ -193,7 +231,7 @@ class _Completer:
             found += control_attributes(self.where)
             found += attribute_items(self.where, self.version, self.vendors)
         if self.is_xacro and tag.startswith("xacro:"):
-            found += xacro_attributes(self.where, self.visible)
+            found += xacro_attributes(self.where, {**self.project.macros, **self.macros})
         if tag == "robot" and "xmlns:xacro" not in dict(self.where.given):
             text = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
             found.append(Item("xmlns:xacro", Sort.ATTRIBUTE, text, rank=6))
@@ -232,7 +270,7 @@ class _Completer:
 
     def _usual_words(self, place: str, known: set[str]) -> Iterator[Item]:
         """Words for a place whose words are not in the format, or that the text has there."""
-        if place.endswith("_interface@name"):
+        if place.endswith(("_interface@name", "hardwareInterface", "@reason")):
             yield from (
                 Item(word, Sort.CHOICE, word) for word in dict.fromkeys(self.usage.seen_values(place))
             )
@@ -267,7 +305,7 @@ class _Completer:
         if (found := _SUBSTITUTION.search(typed)) is not None and found[1]:
             if found[1] == "arg":
                 names = {name for each in self.visible for read in each.readings for name in read.arguments}
-                names |= set(_ASKED.findall(self.buffer.source.text))
+                names |= set(_ASKED.findall(self.buffer.source.text)) | self.project.arguments
             else:
                 library = self.workspace.library(self.buffer.path)
                 names = set(library.packages(self.buffer.path).names)
@@ -280,7 +318,9 @@ class _Completer:
         text, start = self.buffer.source.text, max(0, self.offset - 4000)
         scores = dict.fromkeys(names, 0.0)
         attribute = self.where.attribute
-        near = words_in(f"{attribute} {self.where.tag} {dict(self.where.given).get('name', '')}")
+        near = {attribute} | words_in(
+            f"{attribute} {self.where.tag} {dict(self.where.given).get('name', '')}"
+        )
         uses = Counter(
             found for match in re.findall(expression, text) for found in set(re.findall(word, match))
         )
@@ -292,7 +332,7 @@ class _Completer:
                     scores[found] += 20 / (20 + distance)
                     near |= words_in(found) if distance < 300 else set()
         for name in names:
-            own = words_in(name)
+            own = words_in(name) or {name}
             scores[name] += 2 * len(own & near) / max(1, len(own)) + (name == attribute)
             scores[name] += (uses[name] == 0) + 1.5 * name.endswith(f"_{attribute}") + 0.5 * (name in flags)
         return _ordered((Item(name, Sort.PROPERTY, name) for name in sorted(names)), scores)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 from sdfcheck.formats import usual
 from sdfcheck.lsp.completion.context import Context, Where
@@ -36,7 +36,9 @@ _TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 class Usage:
     """The habits of the text around a place: which element follows which, and the values of each place."""
 
-    def __init__(self, text: str, where: Context, offset: int) -> None:
+    def __init__(self, text: str, where: Context, offset: int, *, is_choice: bool = False) -> None:
+        self.is_choice = is_choice
+        """Are the elements beside the place perhaps not there when it is?"""
         self.children: dict[str, Counter[tuple[str, str]]] = {}
         """Element → how often one child (empty: none) is followed by another."""
         self.attributes: dict[str, Counter[str]] = {}
@@ -100,9 +102,8 @@ class Usage:
             {first: n for (first, name), n in pairs.items() if name == after and first.startswith(typed)}
         )
         here = _shares(_summed(known))
-        there = _typed(usual.children(dialect, self.parent), typed)
-        next_there = _typed(usual.children(dialect, self.parent, before), typed)
-        present = {*self.before, *self.after}
+        there, next_there = (_typed(each, typed) for each in self._usual(dialect, before))
+        present = set() if self.is_choice else {*self.before, *self.after}
         doubled = {name for first, name in known if first == name}
         found = {}
         for name in names:
@@ -113,6 +114,13 @@ class Usage:
                 score -= 4
             found[name] = score
         return found
+
+    def _usual(self, dialect: str, before: str) -> Iterator[Mapping[str, float]]:
+        """The usual shares of elements at the place; in a macro those of a robot, but for definitions."""
+        is_macro = self.parent == "xacro:macro"
+        for last in (None, before):
+            shares = usual.children(dialect, "robot" if is_macro else self.parent, last)
+            yield {name: n for name, n in shares.items() if not (is_macro and name.startswith("xacro:"))}
 
     def seen_elements(self) -> list[str]:
         """The elements that the text has in the same element elsewhere."""

@@ -13,7 +13,7 @@ from sdfcheck.lsp.completion.likely import Usage, words_in
 from sdfcheck.lsp.completion.semantics import Tree, semantic_scores
 from sdfcheck.lsp.completion.tags import slots_at
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.lsp.names.expanded import Expanded, expansions, plain, roots_of
+from sdfcheck.lsp.names.expanded import MOST_ASSISTANTS, Expanded, expansions, plain, roots_of
 from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.graph import Model, Scope
@@ -129,7 +129,7 @@ def _made(workspace: Workspace, document: Document) -> list[Expanded]:
         return expansions(workspace, roots_of(document)[:2], turned=False, lately=True)
     for robot in robots_about(workspace, document) if document.kind is Kind.SRDF else ():
         made = expansions(workspace, roots_of(robot), turned=False) if is_made(robot) else [plain(robot)]
-        found += made[:1]
+        found += made[:MOST_ASSISTANTS]
     return found
 
 
@@ -200,7 +200,10 @@ class Order:
         self.used = set(self.before + self.after) if place in _ONCE else set()
         if place in _ONCE_IN_BLOCK:
             self.used = set(re.findall(r"<" + context.tag + r"\b[^<>]*?[\"']([^\"'<>]+)[\"']", block))
-        self.children = set(_CHILD.findall(text)) if place == "parent@link" else set()
+        self.children = (
+            {a or b for a, b in _CHILD.findall(text)} if place in {"parent@link", "parent"} else set()
+        )
+        self.last_child = _CHILD.findall(text, 0, offset)[-1:] if place == "parent@link" else []
         self.places = {name: _nearest(text, name, offset) for name in self.numbers}
         distances = sorted(set(self.places.values()))
         self.ranks = {distance: number for number, distance in enumerate(distances)}
@@ -210,8 +213,9 @@ class Order:
         name = item.label
         score = 0.0 if item.rank <= 3 or name in (*self.before[:2], *self.after[:2]) else -2.0
         score -= 3 * (name in self.used or name in self.others)
-        score -= item.detail == "joint" and self.place in {"parent", "child", "gazebo@reference"}
+        score -= _OF_LINKS.get(self.place, 0.0) * (item.detail == "joint")
         score += 0.6 * bool(self.children and name not in self.children)  # a root has many children
+        score += (name, "") in self.last_child  # parts hang on one another
         score -= 2 * ("$" in name and not self.is_written)
         if not self.is_semantic:
             score += 1.5 / (1 + self.ranks[self.places[name]])
@@ -226,7 +230,9 @@ class Order:
         return score + 1.5 * len(own & self.words) / max(1, len(own | self.words))
 
 
-_CHILD = re.compile(r"<child\s+link\s*=\s*[\"']([^\"']+)[\"']")
+_CHILD = re.compile(r"<child(?:\s+link\s*=\s*[\"']([^\"']+)[\"']|\s*>\s*([^<>\s]+))")
+_OF_LINKS = {"parent": 3.0, "child": 3.0, "gazebo@reference": 1.0}
+"""Where joints can be named, but hardly are."""
 _ONCE = frozenset({"child@link", "child"})
 """Where each name is written once in a whole robot."""
 _SEMANTIC = frozenset(f"{element}@{attribute}" for element, attribute in srdf.references())

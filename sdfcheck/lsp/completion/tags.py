@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from sdfcheck.files.packages import Packages
 from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe.spot import Spot, spot
 from sdfcheck.formats.schema import Definition, RowInVersion
@@ -13,9 +14,14 @@ from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context
 from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.snippets import Snippet, plain
-from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED, is_literal
-from sdfcheck.xacro.static.definitions import Definitions, Macro
+from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED, Parameter, is_literal, parameters
+from sdfcheck.xacro.static.definitions import Definitions
+from sdfcheck.xacro.static.project import FILE_LIMIT, text_of
 
+_MACRO = re.compile(r"<xacro:macro\b[^<>]*?\sname\s*=\s*[\"']([\w.-]+)[\"'](?:[^<>\"']|\"[^\"]*\"|'[^']*')*>")
+_PARAMETERS = re.compile(r"\sparams\s*=\s*([\"'])(.*?)\1", re.DOTALL)
+_DECLARED = re.compile(r"<xacro:arg\b[^<>]*?\sname\s*=\s*[\"']([\w.-]+)[\"']")
+_INCLUDED = re.compile(r"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"']([^\"'<>]+)[\"']")
 _FILENAME = re.compile(r"filename\s*=\s*[\"']([^\"']+)[\"']")
 
 
@@ -180,8 +186,39 @@ def semantic_attributes(context: Context) -> Iterator[Item]:
         yield from _attributes(place, {name for name, _ in context.given}, "SRDF")
 
 
-def xacro_elements(visible: Iterable[Definitions]) -> Iterator[Item]:
-    """The elements of xacro, and the macros that a file can see."""
+Macros = Mapping[str, tuple[Parameter, ...]]
+"""Name → the parameters of a macro."""
+
+
+class Project:
+    """The macros and arguments that the xacro files of a project define, by their texts alone."""
+
+    def __init__(self, packages: Packages) -> None:
+        self.by_file: dict[str, dict[str, tuple[Parameter, ...]]] = {}
+        """Name of a file → its macros."""
+        found: set[str] = set()
+        for path in packages.files(".xacro", FILE_LIMIT):
+            text = text_of(path)
+            for match in _MACRO.finditer(text):
+                given = _PARAMETERS.search(match[0])
+                own = parameters(given[2]) if given is not None else ()
+                self.by_file.setdefault(path.name, {}).setdefault(match[1], tuple(own))
+            found.update(_DECLARED.findall(text))
+        self.arguments = frozenset(found)
+
+    def included(self, text: str) -> Macros:
+        """The macros in files with the names of those that a text includes, wherever these are."""
+        names = dict.fromkeys(found.rpartition("/")[2] for found in _INCLUDED.findall(text))
+        return {name: own for file in names for name, own in self.by_file.get(file, {}).items()}
+
+    @property
+    def macros(self) -> Macros:
+        """All of them."""
+        return {name: own for macros in self.by_file.values() for name, own in macros.items()}
+
+
+def xacro_elements(macros: Macros) -> Iterator[Item]:
+    """The elements of xacro, and calls of macros."""
     for name in sorted(KEYWORDS):
         snippet = Snippet()
         head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in REQUIRED.get(name, ()))
@@ -189,28 +226,37 @@ def xacro_elements(visible: Iterable[Definitions]) -> Iterator[Item]:
         text = f"{head}>\n\t$0\n</xacro:{name}>" if has_body else f"{head}/>"
         item = Item(f"xacro:{name}", Sort.ELEMENT, plain(text), text, "xacro", 6)
         yield item._replace(is_repeatable=True)
-    for name, macro in sorted(_macros(visible).items()):
-        parameters = macro.parameters
+    for name, own in sorted(macros.items()):
         snippet = Snippet()
-        given = [p.name for p in parameters if not p.is_block and not p.is_optional]
+        given = [p.name for p in own if not p.is_block and not p.is_optional]
         head = f"xacro:{name}" + "".join(f" {snippet.attribute(each)}" for each in given)
-        has_blocks = any(p.is_block for p in parameters)
+        has_blocks = any(p.is_block for p in own)
         text = f"{head}>\n\t$0\n</xacro:{name}>" if has_blocks else f"{head}/>"
-        detail = " ".join(p.name for p in parameters)
+        detail = " ".join(p.name for p in own)
         item = Item(f"xacro:{name}", Sort.MACRO, plain(text).replace("$0", ""), text, detail, 4)
         yield item._replace(is_repeatable=True)
 
 
-def _macros(visible: Iterable[Definitions]) -> dict[str, Macro]:
-    found: dict[str, Macro] = {}
+def block_items(call: str, macros: Macros) -> Iterator[Item]:
+    """The elements that a call takes as blocks; of a macro that is not known the usual one."""
+    known = macros.get(call.removeprefix("xacro:"))
+    names = ["*origin"] if known is None else [each.name for each in known if each.is_block]
+    for name in names:
+        if (child := spot(["robot", "joint", name.lstrip("*")])) is not None:
+            yield _item(name.lstrip("*"), child, 1)
+
+
+def macros_in(visible: Iterable[Definitions]) -> Macros:
+    """The macros that a file can see."""
+    found: dict[str, tuple[Parameter, ...]] = {}
     for each in visible:
         for name, macros in each.macros.items():
             if is_literal(name):
-                found.setdefault(name, macros[0])
+                found.setdefault(name, macros[0].parameters)
     return found
 
 
-def xacro_attributes(context: Context, visible: Iterable[Definitions]) -> Iterator[Item]:
+def xacro_attributes(context: Context, macros: Macros) -> Iterator[Item]:
     """The attributes of an element of xacro, or the parameters of a macro that is called."""
     given = {name for name, _ in context.given}
     name = context.tag.removeprefix("xacro:")
@@ -218,10 +264,8 @@ def xacro_attributes(context: Context, visible: Iterable[Definitions]) -> Iterat
         names: Iterable[tuple[str, int]] = [(each, 1) for each in REQUIRED.get(name, ())]
         names = [*names, *((each, 4) for each in OPTIONAL.get(name, ()))]
     else:
-        macros = _macros(visible)
-        macro = macros.get(name) or macros.get(name.rpartition(".")[2])
-        parameters = macro.parameters if macro is not None else ()
-        names = [(p.name, 3 if p.is_optional else 1) for p in parameters if not p.is_block]
+        known = macros.get(name) or macros.get(name.rpartition(".")[2]) or ()
+        names = [(p.name, 3 if p.is_optional else 1) for p in known if not p.is_block]
     for each, rank in names:
         if each not in given:
             snippet = Snippet().attribute(each)

@@ -9,6 +9,7 @@ from sdfcheck.files.library import library_of
 from sdfcheck.lsp.workspace import LiveExpander, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, robot_names
 from sdfcheck.robot.semantics.occurrences import semantic_names
+from sdfcheck.robot.semantics.robots import Assistants
 from sdfcheck.robot.semantics.semantics import semantics_in
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -21,6 +22,8 @@ from sdfcheck.xacro.static.project import includers
 
 MOST_ROOTS = 4
 """Of the robots that include a file, so many are expanded."""
+MOST_ASSISTANTS = 2
+"""A robot is expanded as so many packages for MoveIt do."""
 MOST_SWITCHES = 4
 """So many arguments that are true or false by default are also tried the other way round."""
 
@@ -150,7 +153,7 @@ def expansions(
         expander, sets = workspace.caches.xacro(settings, root.path)
         if not isinstance(expander, LiveExpander):
             continue
-        wanted = [dict(each) for each in sets] or [{}]
+        wanted = [dict(each) for each in sets] or _usual_sets(root)
         if turned and not only_known:
             wanted += [{**wanted[0], **switch} for switch in _switches(root)]
         for arguments in wanted:
@@ -159,6 +162,13 @@ def expansions(
             if own is not None:
                 found.append(own)
     return found
+
+
+def _usual_sets(root: Document) -> list[dict[str, str]]:
+    """The arguments with which the project's packages for MoveIt expand a robot, and none."""
+    library = library_of(root)
+    assistants = None if library is None else library.of_project(root.path, Assistants)
+    return [*(assistants.arguments(root.path)[:MOST_ASSISTANTS] if assistants is not None else ()), {}]
 
 
 def _switches(root: Document) -> list[dict[str, str]]:

@@ -16,7 +16,7 @@ from sdfcheck.lsp.names.srdf_names import descriptions_for, srdf_names
 from sdfcheck.lsp.names.xacro_names import Known, xacro_names
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names
-from sdfcheck.robot.semantics.robots import descriptions_of
+from sdfcheck.robot.semantics.robots import declared, descriptions_of
 from sdfcheck.robot.semantics.semantics import Semantics
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import HEAD, Kind, sniff
@@ -166,14 +166,23 @@ def robots_about(workspace: Workspace, document: Document) -> list[Document]:
 
 
 def _by_their_names(workspace: Workspace, document: Document) -> list[Document]:
-    """The first robot that expands to half of what an SRDF document names, by a file that does not show it."""
-    known = document.view(_no_robots)
-    if not known:
-        wanted = {(part.kind, part.value.text.strip()) for part in document.view(Semantics).named}
-        candidates = islice(filter(is_made, descriptions_of(document.view(Semantics))), MOST_TRIED)
-        made = (one for robot in candidates for one in _made(workspace, [robot])[:1])
-        known.append([one.root for one in made if 2 * len(wanted & one.by_name.keys()) >= len(wanted)][:1])
-    return known[0]
+    """The first robot that expands to half of what an SRDF document names, by a file that does not show it.
+
+    Of the robot for which MoveIt's assistant made it, packages may be missing: any of the names will do.
+    """
+    known, library = document.view(_no_robots), library_of(document)
+    if not known and library is not None:
+        semantics = document.view(Semantics)
+        wanted = {(part.kind, part.value.text.strip()) for part in semantics.named}
+        meant = {each.path for each in declared(document.path, library.packages(document.path))}
+        candidates = islice(filter(is_made, descriptions_of(semantics)), MOST_TRIED)
+        made = ((robot, _made(workspace, [robot])) for robot in candidates)
+        shared = (
+            (robot, max((len(wanted & one.by_name.keys()) for one in own), default=0)) for robot, own in made
+        )
+        found = (robot for robot, n in shared if 2 * n >= len(wanted) or (n and robot.path in meant))
+        known.append([*islice(found, 1)])
+    return known[0] if known else []
 
 
 def _no_robots(_: Document) -> list[list[Document]]:

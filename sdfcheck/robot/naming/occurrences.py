@@ -104,7 +104,7 @@ def robot_names(document: Document) -> Iterator[Occurrence]:
     for kind in _NAMED:
         for node in root.each(kind):
             value = node.name_value
-            if value is not None and value.text.strip() and node.element.document is document:
+            if value is not None and value.text.strip() and node.element.document.source is document.source:
                 yield from _defined(value, node.kind)
     for include in root.elements.get("include", ()):
         name = include.find("name")

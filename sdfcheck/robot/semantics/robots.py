@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -30,20 +30,24 @@ _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
 _DECLARED = re.compile(
     r"^ *urdf:[ \r]*\n *package: *([\w.-]+)[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
 )
+_GIVEN = re.compile(r"^ *xacro_args: *(.*(?:\n(?! *\w+:[^=]).*)*)", re.MULTILINE)
+_ARGUMENT = re.compile(r"(\w+):=(?:\"([^\"]*)\"|'([^']*)'|([^\s\"']*))")
+_NO_ARGUMENTS: Mapping[str, str] = {}
 _FEWEST = 0.5
 """A robot is not the one that is meant if it has fewer of the names."""
 
-Expand = Callable[[Document], "Document | None"]
+Expand = Callable[[Document, Mapping[str, str]], "Document | None"]
+"""Expands a robot with some arguments."""
 
 
 def find_robots(semantics: Semantics, expand: Expand | None) -> None:
     """Find the robots that an SRDF file may be about; ``expand`` expands xacro.
 
-    They have the name of the file and most of what it names, and are looked for in the package of the file, and if
-    there is none in the project around it. Without one, the robot that has it all in a file of the package that is
-    called like the SRDF file. Where the robots of its name in the package have nothing of what it names
-    they are its ``strangers``; where the package has robots of other names only, one that has it all is its
-    ``namesake``.
+    They have the name of the file and most of what it names: the robot for which MoveIt's assistant made the file, or
+    else those in the package of the file, and if there is none in the project around it. Without one, the robot that
+    has it all in a file of the package that is called like the SRDF file. Where the robots of its name in the package
+    have nothing of what it names they are its ``strangers``; where the package has robots of other names only, one
+    that has it all is its ``namesake``.
     """
     library = library_of(semantics.document)
     if library is None or not semantics.name or not semantics.named:
@@ -54,6 +58,12 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         semantics.has_kinematics = any(
             file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
         )
+    for meant in declared(path, library.packages(path)):
+        head = _own_head(meant.path, semantics)
+        robot = None if head is None else _robot(meant.path, head, semantics, expand, meant.arguments)
+        if robot is not None and _score(semantics, robot) >= _FEWEST:
+            semantics.robots = (robot,)
+            return
     for packages in (own, library.packages(path)):
         scored = [(_score(semantics, robot), robot) for robot in _candidates(semantics, packages, expand)]
         best = max((score for score, _ in scored), default=0.0)
@@ -101,29 +111,53 @@ def descriptions_of(semantics: Semantics) -> Iterator[Document]:
     library = library_of(semantics.document)
     if library is None or not semantics.name:
         return
-    declared = list(_declared(semantics, library.packages(semantics.document.path)))
-    stem, seen = _stem(semantics.document.path), set[Path]()
-    for file in chain(declared, _alike_first(semantics, library)):
+    path = semantics.document.path
+    meant = [each.path for each in declared(path, library.packages(path))]
+    stem, seen = _stem(path), set[Path]()
+    for file in chain(meant, _alike_first(semantics, library)):
         head = _head(file, semantics) if file not in seen else None
         seen.add(file)
-        is_meant = file in declared or _stem(file) == stem
-        if head is None or not (is_meant or _may_be(head.name, semantics.name)):
+        is_alike = file in meant or _stem(file) == stem
+        if head is None or not (is_alike or _may_be(head.name, semantics.name)):
             continue
         if (found := library.document(file, head.kind, semantics.document)) is not None:
             yield found
 
 
-def _declared(semantics: Semantics, packages: Packages) -> Iterator[Path]:
-    """The file that the settings of MoveIt's assistant name in the package of an SRDF file."""
-    settings = _package(semantics.document.path) / ".setup_assistant"
+class Declared(NamedTuple):
+    """The file of the robot for which MoveIt's assistant made a package, and the arguments with which it expands."""
+
+    path: Path
+    arguments: dict[str, str]
+
+
+def declared(path: Path, packages: Packages) -> list[Declared]:
+    """The robot that the settings of MoveIt's assistant name in the package of a file."""
+    settings = _package(path) / ".setup_assistant"
     try:
         text = read_regular(settings).decode("utf-8", "replace") if settings.is_file() else ""
     except OSError:
-        return
+        return []
     found = _DECLARED.search(text)
     folder = packages.find(found[1]) if found is not None else None
-    if found is not None and folder is not None:
-        yield folder / found[2]
+    if found is None or folder is None:
+        return []
+    given = _GIVEN.search(text)
+    arguments = _ARGUMENT.findall(given[1]) if given is not None else []
+    return [Declared(folder / found[2], {name: "".join(values) for name, *values in arguments})]
+
+
+class Assistants:
+    """The robots for which MoveIt's assistant made the packages of a project."""
+
+    def __init__(self, packages: Packages) -> None:
+        files = packages.files(".setup_assistant", MOST_FILES)
+        self.declared = [each for path in files for each in declared(path, packages)]
+
+    def arguments(self, path: Path) -> list[dict[str, str]]:
+        """The arguments with which packages expand a robot, each once."""
+        found = [each.arguments for each in self.declared if each.arguments and each.path == path]
+        return [one for number, one in enumerate(found) if one not in found[:number]]
 
 
 def _alike_first(semantics: Semantics, library: Library) -> Iterator[Path]:
@@ -219,14 +253,20 @@ def _own_head(path: Path, semantics: Semantics) -> _Head | None:
     return head if head is not None and head.name == semantics.name else None
 
 
-def _robot(path: Path, head: _Head, semantics: Semantics, expand: Expand | None) -> Model | None:
+def _robot(
+    path: Path,
+    head: _Head,
+    semantics: Semantics,
+    expand: Expand | None,
+    arguments: Mapping[str, str] = _NO_ARGUMENTS,
+) -> Model | None:
     """The robot of a file; None where it has no links, or cannot be expanded."""
     kind = head.kind
     document: Document | None = read(head.data, path, kind)
     assert document is not None
     document.library = semantics.document.library
     if kind is Kind.XACRO:
-        document = expand(document) if expand is not None else None
+        document = expand(document, arguments) if expand is not None else None
     if document is None or document.root is None or document.root.name != "robot":
         return None
     robot = root_of(document).scopes[0]

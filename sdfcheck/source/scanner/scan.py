@@ -84,15 +84,15 @@ MARKUP = re.compile(
 class QuickScan(Scan):
     """Places of start tags and comments at once; ends of tags, and which belong together, when asked for."""
 
-    __slots__ = ("_asides", "_source")
+    __slots__ = ("_source",)
 
     def __init__(self, source: Source) -> None:
         text = source.text
         self._source = source
-        self._asides = [match.span() for match in _ASIDE.finditer(text)]
-        self.comments = [aside for aside in self._asides if text.startswith("<!--", aside[0])]
+        asides = [match.span() for match in _ASIDE.finditer(text)]
+        self.comments = [aside for aside in asides if text.startswith("<!--", aside[0])]
         self.starts = [match.start() for match in _START.finditer(text)]
-        for start, end in self._asides:
+        for start, end in asides:
             if text.find("<", start + 1, end) >= 0:
                 hidden = slice(bisect_right(self.starts, start), bisect_right(self.starts, end - 1))
                 del self.starts[hidden]

@@ -57,7 +57,7 @@ class _Project:
         paths = list(packages.files(".xacro", FILE_LIMIT))
         self.is_whole = len(paths) < FILE_LIMIT
         for path in paths:
-            text = _text_of(path)
+            text = text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
                 last = _pattern(name)
                 if _GLOB.search(last):
@@ -120,7 +120,7 @@ def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:
     """The texts that calls of a macro give a parameter, empty for none: in its file and in those that include it."""
     call = re.compile(rf"<xacro:{re.escape(macro)}(?=[\s/>])([^<>]*)>")
     given = re.compile(rf"\s{re.escape(parameter)}\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-    texts = (document.source.text, *map(_text_of, includers(document)))
+    texts = (document.source.text, *map(text_of, includers(document)))
     values = (given.search(found[1]) for text in texts for found in call.finditer(text))
     return frozenset((value[1] or value[2] or "").strip() if value else "" for value in values)
 
@@ -141,7 +141,7 @@ def _project(library: Library, document: Document) -> _Project:
     return library.of_project(document.path, _Project)
 
 
-def _text_of(path: Path) -> str:
+def text_of(path: Path) -> str:
     """A file's text, empty if it cannot be read."""
     try:
         return read_regular(path, SIZE_LIMIT).decode("utf-8", "replace")

@@ -17,7 +17,7 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import everywhere, occurrences
 from sdfcheck.lsp.names.rename import rename
 from sdfcheck.lsp.names.spread import Refused
-from sdfcheck.lsp.outline import links, outline
+from sdfcheck.lsp.outline import Part, links, outline
 from sdfcheck.lsp.speech import Speech
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Workspace
@@ -204,9 +204,12 @@ def test_the_world_is_not_renamed_where_it_is_called_world() -> None:
 
 def test_the_outline_has_the_parts() -> None:
     _, document = opened(SDF)
-    (root,) = outline(document.source)
-    (model,) = root.children
-    assert [child.name for child in model.children] == ["arm", "hand", "j", "p"]
+    assert outline(document.source, shown) == ["sdf(m(arm(), hand(), j(), p()))"]
+
+
+def shown(part: Part[str], _: int) -> str:
+    """A part of an outline with those in it."""
+    return f"{part[2]}({', '.join(part[-1])})"
 
 
 def test_hints_show_degrees_and_masses() -> None:

@@ -65,7 +65,7 @@ def ask_everything(workspace: Workspace, path: Path, offset: int) -> None:
     whole = document.source.span(0, len(document.source.text))
     hover(document, offset)
     complete(workspace, buffer, offset)
-    outline(document.source)
+    outline(document.source, lambda part, end: part[2])
     folds(document)
     list(links(document))
     list(hints(document, whole))

@@ -328,6 +328,15 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
             "force.x",
         ),
         ('<ros2_control name="c" type="system"><xacro:if value="1"><|</xacro:if></ros2_control>', "joint"),
+        ("<xacro:unknown><|</xacro:unknown>", "origin"),
+        ('<xacro:include filename="$(find gone)/other.xacro"/><xacro:|', "xacro:hub"),
+        ("<xacro:hub |/>", "bore"),
+        ('<xacro:wheel red="$(arg |)"/>', "elsewhere"),
+        (
+            '<link name="l"><visual><geometry><xacro:if value="1"><box/></xacro:if><xacro:if value="0"><|</xacro:if>',
+            "box",
+        ),
+        ('<xacro:macro name="m" params="a"><link name="l"/><|</xacro:macro>', "joint"),
     ],
 )
 def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expected: str) -> None:
@@ -335,12 +344,23 @@ def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expecte
         '<xacro:arg name="side" default="left"/><xacro:property name="mass" value="2"/>'
         '<xacro:macro name="wheel" params="red"><link name="${red}"/></xacro:macro>'
     )
-    path = written(tmp_path, robot=around + text)
+    (tmp_path / ".git").mkdir()
+    hub = '<xacro:macro name="hub" params="bore"/><xacro:arg name="elsewhere" default=""/>'
+    path = written(tmp_path, other=hub, robot=around + text)
     shown = path.read_text()
     buffer = editor.open(path, shown.replace("|", ""))
     place = editor.place(buffer, shown.index("|"))
     found = editor.answers.completion(buffer, types.CompletionParams(**place))
     assert expected in [item.label for item in found.items[:5]]
+
+
+def test_a_macro_does_not_call_itself(editor: Editor, tmp_path: Path) -> None:
+    text = '<xacro:macro name="one" params=""/><xacro:macro name="two" params=""><xacro:|</xacro:macro>'
+    path = written(tmp_path, robot=text)
+    shown = path.read_text()
+    buffer = editor.open(path, shown.replace("|", ""))
+    labels = [item.label for item in complete(editor.workspace, buffer, shown.index("|")).items]
+    assert labels.index("xacro:one") < labels.index("xacro:two")
 
 
 def test_a_wrong_setting_is_named_and_the_others_count(tmp_path: Path) -> None:

@@ -82,6 +82,18 @@ async def test_hover_knows_xacro(session: Session, folder: Path) -> None:
     assert "macro `ball`" in await text.hover("xacro:ball", 8)
 
 
+async def test_hover_knows_the_parameters_of_a_macro(session: Session, folder: Path) -> None:
+    macro = '<!-- A leg\n of two links. --><xacro:macro name="leg" params="side length:=0.3 *origin"/>'
+    text = session.open(
+        folder / "r.urdf.xacro", ROBOT.replace("</robot>", f'{macro}<xacro:leg side="l"/></robot>')
+    )
+    shown = await text.hover("<xacro:leg ", 8)
+    assert "A leg of two links." in shown
+    assert (
+        "- `side`: required\n- `length:=0.3`: optional\n- `*origin`: an element inside of the call" in shown
+    )
+
+
 async def test_hover_knows_what_consumers_do(session: Session, folder: Path) -> None:
     text = session.open(folder / "m.sdf", MODEL.replace(">hand<", ">hnd<"))
     await text.diagnostics()

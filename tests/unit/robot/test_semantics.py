@@ -98,6 +98,27 @@ def test_descriptions_of_the_robot_come_by_nearness(package: Path) -> None:
         assert folders[:2] == order
 
 
+@pytest.mark.parametrize(
+    "given",
+    ["xacro_args: side:=left hand:=true", "xacro_args:\n      side:=left\n      hand:=true\n  srdf: x"],
+)
+def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path, given: str) -> None:
+    (package / "q").mkdir()
+    (package / "q" / "package.xml").write_text("<package><name>q</name></package>")
+    (package / ".git").mkdir()
+    made = ROBOT.format("").replace("shoulder", "$(arg side)_shoulder")
+    made = made.replace("<robot ", '<robot xmlns:xacro="http://ros.org/wiki/xacro" ').replace(
+        "</robot>", '<xacro:if value="$(arg hand)"><link name="hand"/></xacro:if></robot>'
+    )
+    (package / "arm.urdf").unlink()
+    (package / "q" / "arm.urdf.xacro").write_text(made)
+    wrong = ARM.replace("shoulder", "left_shoulder") + '<group name="g"><link name="hnd"/></group>'
+    assert found(package, wrong) == []
+    settings = f"a:\n  urdf:\n    package: q\n    relative_path: arm.urdf.xacro\n    {given}\n"
+    (package / ".setup_assistant").write_text(settings)
+    assert found(package, wrong) == [("SRD001", "hnd")]
+
+
 def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:
     (package / "other.urdf").write_text(ROBOT.format("").replace('"arm"', '"leg"'))
     virtual = '<virtual_joint name="float" type="floating" parent_frame="map" child_link="base"/>'
