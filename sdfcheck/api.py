@@ -13,7 +13,10 @@ from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
     from sdfcheck.convert.file_difference import FileDifference
+    from sdfcheck.lint.config.settings import Given
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.fix.fixer import FixedFile
     from sdfcheck.lint.run import Run
@@ -33,7 +36,7 @@ def fix(
     config: Path | None = None,
     isolated: bool = False,
     trust_config: bool = False,
-    **settings: Any,
+    **settings: Unpack[Given],
 ) -> tuple[FixedFile, ...]:
     """Apply the fixes of what ``lint`` finds in files and folders.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET
@@ -15,6 +15,10 @@ from sdfcheck.robot.load import as_text
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
+
+    from typing_extensions import Unpack
+
+    from sdfcheck.lint.config.settings import Given
 
 
 def lint(  # noqa: PLR0913
@@ -26,7 +30,7 @@ def lint(  # noqa: PLR0913
     isolated: bool = False,
     trust_config: bool = False,
     executor: Executor | None = None,
-    **settings: Any,
+    **settings: Unpack[Given],
 ) -> Run:
     """Lint files, folders, or a text.
 
@@ -51,7 +55,9 @@ def lint(  # noqa: PLR0913
     return _run(paths, options, executor)
 
 
-def configured(config: Path | None, *, isolated: bool, trust_config: bool, **settings: Any) -> Configuration:
+def configured(
+    config: Path | None, *, isolated: bool, trust_config: bool, **settings: Unpack[Given]
+) -> Configuration:
     """The configuration with the settings of a caller.
 
     Raises: WrongUsage: a value is not of its setting's form, or the configuration is faulty.

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, Configured
@@ -18,6 +18,24 @@ from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.relative import relative_path, shown
 from sdfcheck.source.wrong_usage import WrongUsage
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import TypedDict
+
+    class Given(TypedDict, total=False):
+        """The settings that a caller may set, for those who check types."""
+
+        select: Sequence[str] | None
+        extend_select: Sequence[str]
+        ignore: Sequence[str]
+        preview: bool | None
+        target: Sequence[str] | None
+        model_paths: Sequence[str | os.PathLike[str]]
+        package_paths: Sequence[str | os.PathLike[str]]
+        packages: Mapping[str, str | os.PathLike[str]]
+        env: Sequence[str]
+
 
 ArgumentSet = tuple[tuple[str, str], ...]
 """Names and values of xacro arguments."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,6 +13,7 @@ import pytest
 import sdfcheck
 from sdfcheck.cli.lint import lint as command
 from sdfcheck.cli.parts.options import taken
+from sdfcheck.lint.config import settings
 from sdfcheck.lint.config.configuration import load
 from sdfcheck.lint.config.reading import read_given
 from sdfcheck.lint.config.schema import schema
@@ -96,7 +98,7 @@ def test_every_setting_has_its_words() -> None:
 
 def test_a_program_cannot_set_what_nobody_declares(tmp_path: Path) -> None:
     with pytest.raises(TypeError, match=r"there is no setting `selct`; did you mean `select`\?"):
-        sdfcheck.lint(tmp_path, selct=["XML"])
+        sdfcheck.lint(tmp_path, selct=["XML"])  # type: ignore[call-arg]
     with pytest.raises(sdfcheck.WrongUsage, match="`select` should be a list of rule codes"):
         sdfcheck.lint(tmp_path, select="XML")
     with pytest.raises(sdfcheck.WrongUsage, match="unknown target `drak`"):
@@ -115,3 +117,9 @@ def test_places_of_a_program_are_looked_at(tmp_path: Path) -> None:
     assert {each.code for each in without.diagnostics} - {
         each.code for each in sdfcheck.lint(text, packages=place).diagnostics
     }
+
+
+def test_type_checkers_know_what_a_caller_may_set() -> None:
+    tree = ast.parse(Path(settings.__file__).read_text())
+    (given,) = (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef) and each.name == "Given")
+    assert [ast.unparse(each.target) for each in given.body if isinstance(each, ast.AnnAssign)] == list(GIVEN)
