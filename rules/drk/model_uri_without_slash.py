@@ -10,16 +10,16 @@ INCLUDE = "<include><uri>{}</uri></include>"
 class ModelUriWithoutSlash(Rule):
     """An include names a model by a URI without a slash behind the name, which Drake does not take for one.
 
-    Drake knows a URI by `scheme://package/path`. `model://arm` without a path is looked for as a file, and the
-    file is refused; `model://arm/` is found. Gazebo takes both.
+    Drake knows a URI by `scheme://package/path`. `model://turntable` without a path is looked for as a file, and the
+    file is refused; `model://turntable/` is found. Gazebo takes both.
     """
 
     code = "DRK023"
     name = "model-uri-without-slash"
     severity = Severity.ERROR
-    remedy = """Put a slash behind the name: `model://arm/`.
+    remedy = """Put a slash behind the name: `model://turntable/`.
 
-    Drake looks for the name in its package map: add the folder with `package_map().Add("arm", folder)`, or with
+    Drake looks for the name in its package map: add the folder with `package_map().Add("turntable", folder)`, or with
     `PopulateFromFolder` where it has a `package.xml`.
     """
     default = False
@@ -28,16 +28,16 @@ class ModelUriWithoutSlash(Rule):
 
     bad = (
         Bad(
-            INCLUDE.format("«model://arm»"),
-            fixed=INCLUDE.format("model://arm/"),
-            says="`model://arm` ends with the name: Drake looks for no model there and refuses the file",
+            INCLUDE.format("«model://turntable»"),
+            fixed=INCLUDE.format("model://turntable/"),
+            says="`model://turntable` ends with the name: Drake looks for no model there and refuses the file",
         ),
-        Bad(INCLUDE.format("«package://arm»"), fixed=INCLUDE.format("package://arm/")),
+        Bad(INCLUDE.format("«package://turntable»"), fixed=INCLUDE.format("package://turntable/")),
     )
     good = (
-        Good(INCLUDE.format("model://arm/")),
-        Good(INCLUDE.format("model://arm/model.sdf")),
-        Good(INCLUDE.format("arm"), why="a folder beside the file"),
+        Good(INCLUDE.format("model://turntable/")),
+        Good(INCLUDE.format("model://turntable/model.sdf")),
+        Good(INCLUDE.format("turntable"), why="a folder beside the file"),
     )
 
     @staticmethod

@@ -62,8 +62,8 @@ class MalformedUri(Rule):
             MESH.format("«Model://arm/arm.dae»"), fixed=MESH.format("model://arm/arm.dae"), says="lower case"
         ),
         Bad(
-            "<include><uri>«modle://arm»</uri></include>",
-            fixed="<include><uri>model://arm</uri></include>",
+            "<include><uri>«modle://arm/»</uri></include>",
+            fixed="<include><uri>model://arm/</uri></include>",
             scaffold=IN_WORLD,
             says="the scheme `modle` is not known",
         ),

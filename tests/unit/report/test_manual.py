@@ -40,8 +40,8 @@ def test_each_example_is_shown_with_its_report(code: str) -> None:
 @pytest.mark.parametrize("code", BY_CODE)
 def test_no_example_is_both_wrong_and_right(code: str) -> None:
     page = page_of(code)
-    wrong = {(example.text, tuple(example.files.items())) for example in page.bad}
-    right = {(example.text, tuple(example.files.items())) for example in page.good}
+    wrong = {(example.name, example.text, tuple(example.files.items())) for example in page.bad}
+    right = {(example.name, example.text, tuple(example.files.items())) for example in page.good}
     assert not wrong & right
 
 
