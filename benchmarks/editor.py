@@ -24,11 +24,10 @@ from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.names.spread import Refused
-from sdfcheck.lsp.positions import Units
-from sdfcheck.lsp.speech import Speech, path_of
+from sdfcheck.lsp.speech import Speech, Units, path_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 
 SHARES = {Kind.XACRO: 24, Kind.URDF: 14, Kind.SDF: 14, Kind.SRDF: 8}

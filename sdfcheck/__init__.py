@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sdfcheck import problems
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
-    from sdfcheck.consumers.drake_limits import Ignored, ignored_by_drake
     from sdfcheck.consumers.gazebo import BuiltFrame, BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
     from sdfcheck.consumers.reaction import (
         REFUSES,
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
         warns,
     )
     from sdfcheck.consumers.urdf_readers import (
+        Ignored,
+        ignored_by_drake,
         is_harmless,
         lacking,
         repeating,
@@ -39,7 +40,17 @@ if TYPE_CHECKING:
     from sdfcheck.formats.namespaces import Prefix, PrefixDeclaration, PrefixedName
     from sdfcheck.formats.near_names import suggest, suggest_in
     from sdfcheck.lint.call import lint
-    from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
+    from sdfcheck.lint.diagnostic import (
+        Diagnostic,
+        Label,
+        Missing,
+        MissingKind,
+        Origin,
+        Severity,
+        listed,
+        named,
+        used,
+    )
     from sdfcheck.lint.editing import Edit, EditError, edit
     from sdfcheck.lint.example import (
         IN_COLLISION,
@@ -59,9 +70,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, write_instead
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
-    from sdfcheck.lint.wording import listed, named, used
     from sdfcheck.release import __version__
-    from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.graph import (
         Custom,
         Frame,
@@ -78,7 +87,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.includes.model_config import ConfigFault, ModelConfig
     from sdfcheck.robot.includes.uri_spelling import UriFault
     from sdfcheck.robot.load import Unreadable, load, parse
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Pose, PoseError
     from sdfcheck.robot.motion.tree import Tree
     from sdfcheck.robot.naming.frames import FrameReference
@@ -99,12 +108,12 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.sensor import Contact, Light, Sensor
     from sdfcheck.robot.parts.shape import Collision, Geometry, Material, Shape, Surface, Visual
     from sdfcheck.robot.root import Root
-    from sdfcheck.robot.semantics.semantics import Semantics
+    from sdfcheck.robot.semantics import Semantics
     from sdfcheck.robot.values import Flag, Number, Text, Vector
     from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
     from sdfcheck.source.document import Document, Element, Value
+    from sdfcheck.source.errors import DescriptionError, WrongUsage
     from sdfcheck.source.text import Position, Source, Span
-    from sdfcheck.source.wrong_usage import WrongUsage
 
 
 _HOMES = {
@@ -114,28 +123,28 @@ _HOMES = {
     "sdfcheck.convert.result": "Conversion",
     "sdfcheck.formats.namespaces": "Prefix PrefixDeclaration PrefixedName",
     "sdfcheck.formats.near_names": "suggest suggest_in",
-    "sdfcheck.lint.diagnostic": "Diagnostic Label Missing MissingKind Origin Severity",
+    "sdfcheck.lint.diagnostic": "Diagnostic Label listed Missing MissingKind named Origin Severity used",
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD "
         "SDF Bad Good"
     ),
     "sdfcheck.lint.fix": "Applicability Fix TextEdit",
     "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
-    "sdfcheck.consumers.drake_limits": "Ignored ignored_by_drake",
+    "sdfcheck.consumers.urdf_readers": (
+        "Ignored ignored_by_drake is_harmless lacking repeating undersized unexpanded unreadable"
+    ),
     "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts drops ignores refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
     "sdfcheck.lint.run": "Run",
-    "sdfcheck.consumers.urdf_readers": "is_harmless lacking repeating undersized unexpanded unreadable",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
-    "sdfcheck.lint.wording": "listed named used",
     "sdfcheck.robot.load": "Unreadable load parse",
     "sdfcheck.release": "__version__",
     "sdfcheck.robot.graph": "Custom Frame NotFound Model Node Part Placement Setting Scope World",
     "sdfcheck.lint.editing": "Edit EditError edit",
-    "sdfcheck.robot.errors": "DescriptionError",
+    "sdfcheck.source.errors": "DescriptionError WrongUsage",
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
-    "sdfcheck.robot.motion.mass_properties": "MassProperties",
+    "sdfcheck.robot.motion.mass": "MassProperties",
     "sdfcheck.robot.motion.poses": "Pose PoseError",
     "sdfcheck.robot.motion.tree": "Tree",
     "sdfcheck.robot.naming.name": "Name",
@@ -152,13 +161,12 @@ _HOMES = {
     "sdfcheck.robot.parts.plugin": "Plugin",
     "sdfcheck.robot.naming.frames": "FrameReference",
     "sdfcheck.robot.root": "Root",
-    "sdfcheck.robot.semantics.semantics": "Semantics",
+    "sdfcheck.robot.semantics": "Semantics",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
     "sdfcheck.robot.values": "Flag Number Text Vector",
     "sdfcheck.robot.vendor.tags": "VendorTag VendorValue",
     "sdfcheck.source.document": "Document Element Value",
     "sdfcheck.source.text": "Position Source Span",
-    "sdfcheck.source.wrong_usage": "WrongUsage",
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names.split()}
 

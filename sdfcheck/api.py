@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.robot.load import opened
 from sdfcheck.robot.root import Root, root_of
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

@@ -11,7 +11,7 @@ import sys
 from collections import Counter, defaultdict
 from pathlib import Path
 
-from sdfcheck.formats.usual import FILE
+from sdfcheck.formats.near_names import FILE
 from sdfcheck.source.document import Element, read
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 

@@ -12,7 +12,7 @@ from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.conditions import is_current, render
 from sdfcheck.lint.rulebook.pack import CONDITIONS, summary
 from sdfcheck.lint.rulebook.packs import load_index
-from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins import find_pack
 from sdfcheck.lint.rulebook.trial import Bench, Trial
 from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.lint.subjects import Subjects

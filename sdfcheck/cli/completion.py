@@ -6,7 +6,7 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.terminal import emit
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 _VARIABLE = "_SDFCHECK_COMPLETE"
 

@@ -14,12 +14,11 @@ from sdfcheck.cli.parts.options import configured, formatted, sdf_version, writt
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of
 from sdfcheck.files.library import Library
-from sdfcheck.formats.describe.description import HOW_OFTEN, Description, Entry, UnknownPlace
-from sdfcheck.formats.describe.place import describe
+from sdfcheck.formats.describe import HOW_OFTEN, Description, Entry, UnknownPlace, describe
 from sdfcheck.formats.vendor import BUILT_IN, known_tables
 from sdfcheck.formats.version import Version
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 VERSION = 1
 """Of the JSON."""

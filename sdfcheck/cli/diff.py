@@ -13,9 +13,9 @@ from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, des
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import wants_color
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.convert.comparison import Change
@@ -76,8 +76,8 @@ def diff(**given: Any) -> int:
 
 def _compare(request: Request, around: Around) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
-    from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.source.errors import DescriptionError
 
     for file in (request.a, request.b):
         require_file(file)

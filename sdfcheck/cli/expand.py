@@ -19,8 +19,8 @@ from sdfcheck.cli.parts.descriptions import (
 from sdfcheck.cli.parts.options import require_file, written
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -47,7 +47,7 @@ def expand(file: Path, annotate: bool, output_file: Path | None, **given: Any) -
         _report(_explained(document, outcome.problems))
         return 1
     if annotate:
-        from sdfcheck.xacro.annotate import annotated
+        from sdfcheck.xacro.origins import annotated
 
         deliver(annotated(outcome.document), output_file)
     else:

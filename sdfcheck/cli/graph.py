@@ -13,9 +13,9 @@ from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_bro
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
-from sdfcheck.robot.pictures import text as graph_text
-from sdfcheck.robot.pictures.graph import Graph, GraphKind, graph
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.robot import pictures as graph_text
+from sdfcheck.robot.pictures import Graph, GraphKind, graph
+from sdfcheck.source.errors import WrongUsage
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 
@@ -48,7 +48,7 @@ def graph_command(
         warn_if_broken(document)
         drawn = graph(document, GraphKind(kind))
     except ValueError as error:
-        from sdfcheck.robot.errors import DescriptionError
+        from sdfcheck.source.errors import DescriptionError
 
         if not isinstance(error, DescriptionError):
             raise
@@ -65,7 +65,7 @@ def graph_command(
 
 def _picture(drawn: Graph, form: str) -> str:
     if form == "svg":
-        from sdfcheck.robot.pictures.svg import svg
+        from sdfcheck.robot.pictures import svg
 
         return svg(drawn)
     return graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn)

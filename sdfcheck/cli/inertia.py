@@ -15,15 +15,15 @@ from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_bro
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
 
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.mass_report import LinkMass, MassReport, ModelMass
     from sdfcheck.source.document import Document
 
@@ -88,10 +88,10 @@ def measure(document: Document) -> MassReport:
     Raises:
         WrongUsage: its numbers cannot be read.
     """
-    from sdfcheck.robot.errors import DescriptionError
     from sdfcheck.robot.motion.mass_report import mass_report
     from sdfcheck.robot.motion.poses import PoseError
     from sdfcheck.robot.root import root_of
+    from sdfcheck.source.errors import DescriptionError
 
     try:
         return mass_report(root_of(document))

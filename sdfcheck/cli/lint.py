@@ -28,8 +28,8 @@ from sdfcheck.cli.parts.terminal import (
 from sdfcheck.lint.config.settings import GIVEN
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.session import Options, find, selected
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
@@ -125,7 +125,7 @@ def lint(**given: Any) -> int:
             return 2 if notifier.flush() else 0 if request.exit_zero else changes
         done = rewriter.write(done)
     if request.baseline is not None:
-        from sdfcheck.cli import baseline
+        from sdfcheck.cli import rewrite as baseline
 
         if request.write_baseline:
             notifier.flush()
@@ -166,7 +166,7 @@ def _report(request: Request, options: Options, wanted: Sequence[Output], done: 
         if output.file is not None or not request.statistics:
             write(output, done, color=request.color, aside=aside, view=view, robots=robots)
     if request.statistics:
-        from sdfcheck.report import statistics
+        from sdfcheck.report import overview as statistics
 
         color, links = wants_color(request.color, sys.stdout), wants_links(request.color, sys.stdout)
         view = view._replace(width=width_of(sys.stdout), links=links)

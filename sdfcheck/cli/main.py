@@ -19,7 +19,7 @@ from sdfcheck.cli.parts.command import LazyCommand, LazyGroup
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.files.regular import noting
 from sdfcheck.release import HOME, __version__
-from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
+from sdfcheck.source.errors import REPORT_IT, WrongUsage
 
 COMMANDS = {
     "lint": LazyCommand("sdfcheck.cli.lint:lint", "Check files and folders."),
@@ -36,8 +36,8 @@ COMMANDS = {
     "schema": LazyCommand("sdfcheck.cli.schema:schema_command", "Write SDFormat as XML Schema or RELAX NG."),
     "server": LazyCommand("sdfcheck.cli.server:server_command", "Run the language server."),
     "rules": LazyCommand("sdfcheck.cli.rules:rules", "List all rules."),
-    "rule": LazyCommand("sdfcheck.cli.rule:rule", "Explain rules."),
-    "init": LazyCommand("sdfcheck.cli.init:init", "Write a configuration to begin with."),
+    "rule": LazyCommand("sdfcheck.cli.rules:rule", "Explain rules."),
+    "init": LazyCommand("sdfcheck.cli.config:init", "Write a configuration to begin with."),
     "config": LazyCommand("sdfcheck.cli.config:config", "List the keys of a configuration."),
     "completion": LazyCommand("sdfcheck.cli.completion:completion", "Write the completion of a shell."),
 }

@@ -8,18 +8,20 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
+from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.shown import Request
 from sdfcheck.cli.parts.terminal import emit, say
 from sdfcheck.files.overwrite import Refused, overwrite
 from sdfcheck.files.regular import read_named
+from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.fix.fixer import ROUNDS, FixedFile, MadeFix, fix_files
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Level, Notice, Notify, Options, run
-from sdfcheck.lint.wording import counted
+from sdfcheck.lint.suppress.baseline import hold, read, render
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.decode import decode, encoding_of
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Work(NamedTuple):
@@ -173,3 +175,24 @@ def _lines(data: bytes, path: Path) -> list[str]:
     lines = (mark + source.text).split("\n")
     last = lines.pop()
     return [*(f"{line}\n" for line in lines), *([last] if last else [])]
+
+
+# ``--baseline`` of ``sdfcheck lint``.
+
+
+def write(done: Run, path: Path, *, quiet: bool) -> int:
+    """Write a baseline; returns the exit code."""
+    deliver(render(done, path), path)
+    if not quiet:
+        say(f"{path} holds {counted(len(done.diagnostics), 'finding')}.")
+    return 0
+
+
+def without_known(done: Run, path: Path, notify: Notify) -> Run:
+    """The run without what the baseline knows."""
+    held = hold(done, read(path), path)
+    if held.gone:
+        verb, them = ("is", "it") if held.gone == 1 else ("are", "them")
+        known = counted(held.gone, "finding")
+        notify(Notice(Level.NOTE, f"{known} of {path} {verb} gone; --write-baseline forgets {them}"))
+    return held.run

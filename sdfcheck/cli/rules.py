@@ -1,4 +1,4 @@
-"""``sdfcheck rules``."""
+"""The commands ``rules`` and ``rule``."""
 
 from __future__ import annotations
 
@@ -12,18 +12,20 @@ from sdfcheck.cli.parts import options
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
-from sdfcheck.cli.parts.terminal import emit_lines, say, wants_color, wants_links, width_of
+from sdfcheck.cli.parts.terminal import emit_lines, lines_of, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.simulation import SimKind
 from sdfcheck.lint.config.configuration import Configuration
+from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import covered
-from sdfcheck.lint.wording import counted
-from sdfcheck.report.manual import facts_record, markdown
+from sdfcheck.report.manual import Manuals, facts_record, markdown, record, render
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.visible import visible
-from sdfcheck.source.wrong_usage import WrongUsage
+
+# ``sdfcheck rules``.
 
 VERSION = 1
 """Of the JSON that ``rules`` and ``rule`` write."""
@@ -152,3 +154,44 @@ def listed(rules: list[RuleFacts], *, width: int | None, color: bool, links: boo
 def _traits(facts: RuleFacts) -> str:
     fix = f"{facts.fixable} fix" if facts.fixable else ""
     return ", ".join(filter(None, (fix, "preview" if facts.preview else "" if facts.default else "off")))
+
+
+# ``sdfcheck rule``.
+
+
+@click.command(cls=Command)
+@click.argument("selectors", nargs=-1, shell_complete=options.rules, required=True, metavar="RULE...")
+@formatted("Pages to read, or JSON.", "text", "json")
+@written()
+@configured
+@colored()
+def rule(
+    selectors: tuple[str, ...], form: str, output_file: Path | None, configuration: Configuration, color: str
+) -> int:
+    """Explain rules, given by code, name or family (ALL for all)."""
+    index, known = loaded(configuration)
+    manuals = Manuals(index)
+    pages = [manuals.of(facts) for facts in narrowed(known, selectors)]
+    if form == "json":
+        import json
+
+        explained = [dict(record(page)) for page in pages]
+        deliver(json.dumps({"version": VERSION, "rules": explained}, indent=2) + "\n", output_file)
+        return 2 if index.faults else 0
+    text = "\n".join(render(page) for page in pages)
+    painted = output_file is None and wants_color(color, sys.stdout)
+    deliver_lines(lines_of(_painted(text) if painted else text), output_file, color=painted)
+    return 2 if index.faults else 0
+
+
+def _painted(markdown: str) -> str:
+    """Markdown laid out for a terminal."""
+    from io import StringIO
+
+    from rich.console import Console
+    from rich.markdown import Markdown
+
+    console = Console(file=StringIO(), force_terminal=True, width=min(Console().width, 100))
+    with console.capture() as capture:
+        console.print(Markdown(markdown, code_theme="ansi_dark", hyperlinks=False))
+    return capture.get()

@@ -13,7 +13,7 @@ from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.files.regular import note_read, read_named
 from sdfcheck.formats.version import NEWEST, Version
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 
 @click.command(cls=Command, name="schema")
@@ -48,11 +48,11 @@ def schema_command(
             return
         version = _version_of(file)
     if form == "xsd":
-        from sdfcheck.formats.export.xsd import xsd
+        from sdfcheck.formats.export import xsd
 
         text = xsd(version)
     else:
-        from sdfcheck.formats.export.rng import rng
+        from sdfcheck.formats.export import rng
 
         text = rng(version)
     deliver(text, output_file)

@@ -10,7 +10,7 @@ from typing import BinaryIO
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 _HOST = "127.0.0.1"
 

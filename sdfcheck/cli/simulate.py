@@ -21,8 +21,8 @@ from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
 from sdfcheck.lint.run import Run
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
@@ -89,7 +89,7 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     wanted = outputs(output_format or ("full",), output_file)
     refuse_to_write([output.file for output in wanted], [file])
     engines = _engines(simulators)
-    from sdfcheck.convert.broken_text import refuse_broken
+    from sdfcheck.convert.soundness import refuse_broken
 
     document = load(file, surroundings)
     refuse_broken(document)

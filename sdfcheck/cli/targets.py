@@ -22,8 +22,8 @@ from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine

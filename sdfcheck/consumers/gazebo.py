@@ -17,10 +17,10 @@ from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from sdfcheck.formats.urdf.schema import settings
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
 from sdfcheck.robot.parts.solids import Moments
 from sdfcheck.robot.values import MOMENTS, lazy
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:

@@ -1,19 +1,23 @@
-"""Reactions of the consumers of URDF to a part that cannot be read as it is.
-
-It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
-but at its material, Drake ignores controllers. Checked by taking attributes and elements
-away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
-"""
+"""Reactions of the consumers of URDF, and of Drake, to a part that cannot be read as it is."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops, refuses, warns
 from sdfcheck.formats.urdf.schema import extension, urdf
 from sdfcheck.source.document import Element, Value
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+
+# Reactions of the consumers of URDF to a part that cannot be read as it is.
+#
+# It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
+# but at its material, Drake ignores controllers. Checked by taking attributes and elements
+# away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
 
 _NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))
 _FREE = frozenset(("transmission", "gazebo", "ros2_control"))
@@ -158,3 +162,36 @@ def _urdfdom(place: frozenset[str]) -> Reaction:
 def _place(element: Element) -> frozenset[str]:
     """The names of an element and of those around it."""
     return frozenset({element.name, *(each.name for each in element.around)})
+
+
+# What Drake ignores of SDFormat and URDF, from data/drake-limits.txt.
+
+_FILE = Path(__file__).with_name("data") / "drake-limits.txt"
+
+
+class Ignored(NamedTuple):
+    """An element ``name`` (or attribute ``@name``) in a parent; with ``unless``, only where the value is another."""
+
+    parents: tuple[str, ...]
+    """Names from the inside out."""
+    name: str
+    unless: str
+    warned: bool
+    """Does Drake say so?"""
+
+
+@cache
+def ignored_by_drake(dialect: str) -> tuple[Ignored, ...]:
+    """Everything that Drake ignores in ``sdf`` or ``urdf``."""
+    found = []
+    for line in _FILE.read_text("utf-8").splitlines():
+        if line.startswith("#"):
+            continue
+        own, parent, *lists = line.split("\t")
+        if own != dialect:
+            continue
+        for warned, names in zip((True, False), lists, strict=False):
+            for item in names.removeprefix("-").split(",") if names != "-" else ():
+                name, _, unless = item.partition("!")
+                found.append(Ignored(tuple(parent.split("/")[::-1]), name, unless, warned))
+    return tuple(found)

@@ -1,5 +1,5 @@
 """Between formats; the package can be called: ``sdfcheck.convert("robot.urdf", "sdf")``."""
 
-from sdfcheck.source.callable_package import make_callable
+from sdfcheck.source.record import make_callable
 
 make_callable(__name__)

@@ -21,11 +21,10 @@ from sdfcheck.files.regular import MEGABYTE, identity, read_regular
 from sdfcheck.files.uris import locate
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.references import IN_QUOTES, escape
-from sdfcheck.source.relative import relative_path
 from sdfcheck.source.splice import Replacement, replaced
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.text import IN_QUOTES, escape, relative_path
 
 _MODEL = "model://"
 

@@ -11,11 +11,11 @@ from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import Loss, LossKind, NotConvertible
 from sdfcheck.convert.result import Conversion
 from sdfcheck.formats.version import NEWEST, Version
-from sdfcheck.lint.obstacles import refusals
+from sdfcheck.lint.targets import refusals
 from sdfcheck.robot.load import opened
 from sdfcheck.robot.root import Root
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document

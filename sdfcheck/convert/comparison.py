@@ -15,10 +15,17 @@ from typing import Any
 
 import numpy as np
 
-from sdfcheck.convert.contents.entry import Contents, Divergence, Entry, divergences, same_number, same_text
-from sdfcheck.convert.contents.vendor import seen_from_links
 from sdfcheck.convert.loss import Loss, LossKind
 from sdfcheck.convert.matching import Names, Shapes, carriers, filled, reframed, same_names, same_pose, seat
+from sdfcheck.convert.settings_tree import (
+    Contents,
+    Divergence,
+    Entry,
+    divergences,
+    same_number,
+    same_text,
+    seen_from_links,
+)
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
     Positions,
@@ -27,7 +34,7 @@ from sdfcheck.robot.motion.kinematics import (
     total_body,
     with_followers,
 )
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
 from sdfcheck.robot.motion.rotations import Array, angles_between, inverse, to_rpy
 from sdfcheck.robot.parts.joint import ENDLESS

@@ -19,12 +19,12 @@ from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, ask
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.comparison import Difference
 from sdfcheck.robot.motion.kinematics import degrees_of_freedom, link_poses, with_followers
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.rotations import Array, angle_between, inverse
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.convert.result import Comparison, Conversion

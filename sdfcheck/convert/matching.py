@@ -13,8 +13,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from sdfcheck.robot.motion.mass import default_mass
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties, default_mass
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.source.sniff import Kind

@@ -7,19 +7,18 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from sdfcheck.convert.broken_text import guess_in
 from sdfcheck.convert.comparison import Correspondence, SettingsProof, Verification, verify
-from sdfcheck.convert.contents.entry import Contents, Divergence
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.convert.settings_tree import Contents, Divergence
+from sdfcheck.convert.soundness import guess_in
 from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element, Value, read
 from sdfcheck.source.record import Record
-from sdfcheck.source.relative import relative_path
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.splice import Replacement, replaced
-from sdfcheck.source.text import Source
+from sdfcheck.source.text import Source, relative_path
 
 
 class Comparison(Record):

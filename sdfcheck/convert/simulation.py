@@ -18,13 +18,12 @@ from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.loss import FindingKind, NotConvertible
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
-from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.wording import counted
-from sdfcheck.robot.errors import DescriptionError
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity, counted
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 

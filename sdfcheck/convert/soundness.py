@@ -1,4 +1,4 @@
-"""Is a result as sound as its source? Errors that the source does not have."""
+"""Is a result as sound as its source? Errors that the source does not have, and texts that are read by guessing."""
 
 from __future__ import annotations
 
@@ -10,10 +10,55 @@ from operator import attrgetter
 from sdfcheck.consumers.reaction import READS, Consumer, Reaction, Verdict
 from sdfcheck.convert.loss import LossKind, loss_at, to_diagnostic
 from sdfcheck.convert.vendor_spelling import uses
+from sdfcheck.formats.namespaces import declarations
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.obstacles import OWN_CONSUMER
+from sdfcheck.lint.targets import OWN_CONSUMER
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.problems import (
+    ContentAfterRoot,
+    RepeatedAttribute,
+    SyntaxDefect,
+    SyntaxKind,
+    TooDeep,
+    UnknownEntity,
+)
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Span
+
+# Texts that are read as XML by guessing.
+
+_BEYOND_REPAIR = (ContentAfterRoot, RepeatedAttribute, SyntaxDefect, TooDeep)
+
+
+def break_of(document: Document) -> Span | None:
+    """The first place where some of a text would be lost if it were written anew; None if there is none."""
+    return _first(document, _BEYOND_REPAIR)
+
+
+def refuse_broken(document: Document) -> None:
+    """Raise WrongUsage where the text is broken: consumers refuse it, or read another robot."""
+    if (span := break_of(document)) is not None:
+        line, column = span.begin
+        place = f"{document.path}:{line}:{column}"
+        raise WrongUsage(f"{place}: the text is broken here; `sdfcheck lint` says how")
+
+
+def guess_in(document: Document) -> Span | None:
+    """The first place where others may read another text; None if the whole of it can be compared."""
+    return _first(document, (*_BEYOND_REPAIR, UnknownEntity))
+
+
+def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
+    found = (problem for problem in document.problems if isinstance(problem, kinds))
+    # The version of XML that a declaration names does not change the text.
+    spans = [p.span for p in found if getattr(p, "kind", None) is not SyntaxKind.ODD_VERSION]
+    # A prefix that one element declares twice has no meaning that could be written.
+    spans += [each.span for each in declarations(document) if each.first is not None]
+    return min(spans, key=lambda span: span.start, default=None)
+
+
+# Is a result as sound as its source? Errors that the source does not have.
 
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""

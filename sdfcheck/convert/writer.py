@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
+from sdfcheck.robot.motion.mechanism import Geometry, Mechanism
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Aside, Element, Instruction, Node
-from sdfcheck.source.references import IN_ATTRIBUTE, escape
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.text import IN_ATTRIBUTE, escape
 
 _INDENT = "  "
 _NOISE = 1e-15
@@ -189,3 +191,56 @@ def write_atomically(path: Path, text: str, *, instead: bool = False) -> None:
         overwrite(path, text.encode("utf-8", "surrogateescape"), instead=instead)
     except OSError as error:
         raise WrongUsage(why_not(path, error)) from None
+
+
+# The marks by which SDFormat that was URDF becomes the same URDF again: attributes and elements under ``urdf:``.
+#
+# They say nothing of the robot, and are not compared.
+
+JOINT, PARENT = "urdf:joint", "urdf:parent"
+"""On a frame that was a link: the frame that was its joint, and what that joint was fixed to."""
+LINK = "urdf:link"
+"""On a shape, sensor or end of a joint: the link that it was of."""
+INERTIAL = "urdf:inertial"
+"""In a frame that was a link, or a link that others became part of: its own inertial."""
+PACKAGES = "urdf:packages"
+"""On a model: the packages whose files are named as those of models."""
+EMPTY = "urdf:empty"
+"""In an element that is kept under the prefix: its attributes without a value, of which libsdformat complains."""
+BLOCK = "urdf:block"
+"""On an element that is kept under the prefix: it was in a ``<gazebo>`` block."""
+WAS, NONE = "urdf:was", "none"
+"""On a parameter of a plugin about a link: its text before the link became part of another."""
+MERGED, NOTHING = "urdf:merged", "urdf:nothing"
+"""For the way back alone: a joint that was merged, and the inertial of a link that has none."""
+SCRIPTS = "file://media/materials/scripts/gazebo.material"
+"""Where the scripts are that a ``<material>`` of a ``<gazebo>`` block names."""
+MARKS = frozenset({BLOCK, EMPTY, JOINT, PARENT, LINK, INERTIAL, PACKAGES, WAS, MERGED, NOTHING})
+
+
+def is_mark(element: Element) -> bool:
+    """Is an element a mark? An ``inertial`` elsewhere is one that its author wrote in the wrong place."""
+    holder = element.parent
+    is_marked = element.name != INERTIAL or (holder is not None and holder.name in {"link", "frame"})
+    return element.name in MARKS and is_marked
+
+
+# Shapes without extent, which no consumer of SDFormat takes as they are: 1 m goes in the place of each size.
+
+_SIZED = frozenset({"box", "capsule", "cylinder", "ellipsoid", "sphere"})
+
+
+def is_empty(geometry: Geometry) -> bool:
+    """Is a size of it 0, or less?"""
+    return geometry.kind in _SIZED and not all(size > 0 for size in geometry.size)
+
+
+def without_empty_shapes(robot: Mechanism) -> Mechanism:
+    """The robot without such shapes; the same object if it has none."""
+    if not any(is_empty(shape) for link in robot.links.values() for shape in link.geometries):
+        return robot
+    links = {
+        name: replace(link, geometries=type(link.geometries)(g for g in link.geometries if not is_empty(g)))
+        for name, link in robot.links.items()
+    }
+    return replace(robot, links=links)

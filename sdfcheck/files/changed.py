@@ -10,7 +10,7 @@ from pathlib import Path
 from sdfcheck.files.discover import MODEL_CONFIG, SUFFIXES, DiscoveredFile
 from sdfcheck.files.git import changed_since, listed, work_tree
 from sdfcheck.files.regular import MEGABYTE, read_regular
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 _NAMING = (*SUFFIXES, ".config", ".gazebo", ".inc", ".trans", ".xml", ".yaml", ".yml")
 """The files that may name others."""

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.regular import oddity
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.files.git import Listing
-    from sdfcheck.files.gitignore import Ignores
+    from sdfcheck.files.git import Ignores, Listing
 
 SUFFIXES = (".sdf", ".srdf", ".urdf", ".world", ".xacro")
 MODEL_CONFIG = "model.config"
@@ -136,7 +135,7 @@ def _walk(top: Path, respect_gitignore: bool, left: _Left) -> Iterator[Path]:
         if listing is not None:
             yield from _listed_files(top, listing, left)
             return
-        from sdfcheck.files.gitignore import Ignores
+        from sdfcheck.files.git import Ignores
 
         yield from _descend(top, Ignores.above(top), left)
     else:

@@ -12,8 +12,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import folders_above, library_of
+from sdfcheck.files.library import Disk, folders_above, library_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 

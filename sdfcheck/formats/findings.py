@@ -6,11 +6,14 @@ once and either finds that it is sound after all or notes a problem.
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
 from collections import Counter
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 
-from sdfcheck.formats import history
+from sdfcheck.formats import history, problems
+from sdfcheck.formats.choices import Verdict
+from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import (
     DeprecatedElement,
     RemovedElement,
@@ -18,11 +21,13 @@ from sdfcheck.formats.problems import (
     StrayText,
     UnknownAttribute,
 )
-from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf.text_pieces import stray_line
+from sdfcheck.formats.reading import Outcome, Reading
+from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersion
+from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.topology import Displaced, standard_inside
-from sdfcheck.formats.version import Version
-from sdfcheck.source.document import Document, Element
+from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.source.document import Aside, Document, Element, Value
+from sdfcheck.source.text import Span
 
 MOST = 10
 """So many unknown attributes of one element are reported one by one."""
@@ -183,3 +188,135 @@ def _with_others(problem: object, alike: dict[Hashable, list[Element]]) -> objec
     if others and isinstance(problem, RepeatedElement | RemovedElement):
         return problem.changed(others=others)
     return problem
+
+
+# The problem of a value that was not accepted at once, if it has one.
+
+_KINDS = {Outcome.MISREAD: problems.MisreadValue, Outcome.WRONG_COUNT: problems.WrongComponentCount}
+
+
+def text_problems(element: Element, definition: Definition) -> Iterator[object]:
+    """The problems of the text of an element that holds a value."""
+    newest = history.in_version(definition, NEWEST) or definition
+    value = element.own_value
+    rotation = element.attribute("rotation_format") if "rotation_format" in newest.attributes else None
+    degrees = element.attribute("degrees")
+    if rotation is not None and degrees is not None and _exclude_each_other(rotation, degrees):
+        yield problems.ConflictingRotation(degrees, rotation)
+    elif not value.text:
+        # An empty pose is a usual way to leave it at the default; an empty number is not.
+        if definition.needs_value or definition.type not in {"pose", "string"}:
+            yield problems.MalformedValue(value, definition, read_at(definition, ""), element.span)
+    elif cut := cut_text(element):
+        yield problems.CutText(value, cut)
+    elif rotation is not None:
+        yield from judge(value, newest, read_at(newest, value.text, rotation.text.strip() or "euler_rpy"))
+    elif not definition.accepts(value.text) and (
+        newest.type != definition.type or not newest.accepts(value.text)
+    ):
+        yield from judge(value, definition, read_at(definition, value.text))
+
+
+def _exclude_each_other(rotation: Value, degrees: Value) -> bool:
+    return rotation.text.strip() == "quat_xyzw" and degrees.text.strip().lower() in {"true", "1"}
+
+
+def judge(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[object]:
+    """Turn a reading into the problem that it is."""
+    if reading.outcome is Outcome.NOT_A_CHOICE:
+        yield from _choice(value, definition, reading)
+    else:
+        yield from problem_of(value, definition, reading)
+
+
+def problem_of(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[object]:
+    """The problem of a number or truth value, if there is one."""
+    if reading.is_fine:
+        return
+    span = part(value, reading.start, reading.end)
+    if reading.outcome is Outcome.OUT_OF_RANGE:
+        instead = reading.range.instead if reading.range else None
+        yield problems.ValueOutOfRange(value, span, str(reading.range), reading.refused, instead)
+    elif reading.outcome is Outcome.NOT_FINITE:
+        yield problems.ValueOutOfRange(value, span, "finite", reading.refused)
+    else:
+        kind = _KINDS.get(reading.outcome, problems.MalformedValue)
+        yield kind(value, definition, reading, span)
+
+
+def _choice(value: Value, definition: RowInVersion, reading: Reading) -> Iterator[problems.UnknownChoice]:
+    """A value that is not in the list of the version, which need not keep anybody from reading it."""
+    choices = definition.choices
+    assert choices is not None
+    doubtful = reading.verdict in {Verdict.UNKNOWN, Verdict.WRONG_CASE, Verdict.REMOVED}
+    # Of what is in its own list libsdformat makes what it can, whatever the version.
+    in_list = choices.library and reading.verdict is not Verdict.UNKNOWN
+    if not reading.refused and (in_list or not doubtful):
+        return
+    candidates = choices.library or choices.listed
+    suggestion = suggest(value.text.strip(), candidates)
+    yield problems.UnknownChoice(value, candidates, suggestion, reading.refused)
+
+
+# Texts that an element holds in several pieces, and which of them consumers ignore.
+
+_PIECE = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)
+
+
+def part(value: Value, start: int, end: int) -> Span:
+    """The place of a part of a value; all of it where the file has another text (entities, an expression)."""
+    span = value.span
+    if value.text in {span.text, blanks_as_spaces(span.text)}:
+        return value.element.document.spans.span(value.element, span.start + start, span.start + end)
+    return span
+
+
+def blanks_as_spaces(text: str) -> str:
+    """The value that a parser makes of the text of an attribute, entities aside."""
+    return text.replace("\r\n", " ").translate({ord(blank): " " for blank in "\t\n\r"})
+
+
+def cut_text(element: Element) -> Span | None:
+    """The text after a comment in the middle of a value, which no consumer sees."""
+    pieces = [element.text, *(node.tail for node in element.nodes if isinstance(node, Aside))]
+    filled = [piece for piece in pieces if piece.strip()]
+    if len(filled) < 2:
+        return None
+    spans = element.document.spans
+    place = spans.place(element)
+    first = spans.text(element)
+    for piece in _PIECE.finditer(spans.home(element).text, first.end, place.close):
+        if (found := _filled(piece)) is not None:
+            return spans.span(element, *found)
+    return None
+
+
+def stray_line(element: Element) -> Span | None:
+    """The first line of the text between an element's children; None if it is in CDATA sections only.
+
+    A CDATA section beside elements is a way to write notes, never a value.
+    """
+    spans = element.document.spans
+    if element.document.is_expanded:
+        return spans.text(element)  # the children may have been written elsewhere
+    source = element.document.source
+    place = spans.place(element)
+    edges = [place.end]
+    for child in element.children():
+        edges += [spans.place(child).start, spans.place(child).close_end]
+    edges.append(place.close)
+    for start, end in zip(edges[::2], edges[1::2], strict=True):
+        for piece in _PIECE.finditer(source.text, start, end):
+            if (found := _filled(piece)) is not None:
+                line = source.text[slice(*found)].splitlines()[0].rstrip()
+                return source.span(found[0], found[0] + len(line))
+    return None
+
+
+def _filled(piece: re.Match[str]) -> tuple[int, int] | None:
+    """Where the text of a piece begins and ends; None if it is blank, or no text."""
+    text = piece[1] or ""
+    if not text.strip():
+        return None
+    start = piece.start(1) + len(text) - len(text.lstrip())
+    return start, start + len(text.strip())

@@ -1,8 +1,8 @@
-"""The report of a rule about a place."""
+"""The report of a rule about a place, and words for several things at once."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,9 @@ from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.reaction import Reaction
+
+
+# The report of a rule about a place.
 
 
 class Severity(Enum):
@@ -111,3 +114,30 @@ class Diagnostic(NamedTuple):
     @property
     def sort_key(self) -> tuple[str, int, int, str, str]:
         return (self.span.source.path.as_posix(), self.span.start, self.span.end, self.code, self.message)
+
+
+# Words for several things at once.
+
+
+def listed(words: Iterable[str], joiner: str = "and", *, most: int = 0) -> str:
+    """``a, b and c``; of more than ``most`` words so many, and how many are left: ``a, b and 3 more``."""
+    shown = list(words)
+    if 0 < most < len(shown):
+        left = len(shown) - most
+        return f"{', '.join(shown[:most])} and {left} more"
+    return f" {joiner} ".join(filter(None, (", ".join(shown[:-1]), *shown[-1:])))
+
+
+def named(words: Iterable[str], joiner: str = "and", *, most: int = 0) -> str:
+    """Names in a list: ```a`, `b` and `c```."""
+    return listed((f"`{word}`" for word in words), joiner, most=most)
+
+
+def used(count: int) -> str:
+    """`` (used 3 times)``; nothing for once."""
+    return f" (used {count} times)" if count > 1 else ""
+
+
+def counted(number: int, noun: str) -> str:
+    """``1 file``, ``2 files``."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
-from sdfcheck.lint.obstacles import errors
+from sdfcheck.lint.targets import errors
 from sdfcheck.robot.graph import Model, Part, Scope
 from sdfcheck.robot.load import Unreadable, as_text, opened, parse
 from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
-from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.splice import replaced, splice
+from sdfcheck.source.text import IN_QUOTES, escape
 
 if TYPE_CHECKING:
     from types import TracebackType

@@ -196,7 +196,7 @@ def _internal_error(facts: RuleFacts, error: BaseException, document: Document) 
         raise error
     failures = document.view(_failures)
     if facts.code not in failures:
-        from sdfcheck.lint.rulebook.plugins.place import failure
+        from sdfcheck.lint.rulebook.plugins import failure
 
         message, advice = failure(facts, error)
         place = document.source.span(0, 0)

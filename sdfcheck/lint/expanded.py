@@ -1,20 +1,27 @@
-"""Lints a xacro file: as it is written, and as what it expands to."""
+"""Lints files together with others: a xacro file as what it expands to, SRDF with the robots that it may be about."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.engine import Dispatch, explain, lint_document, look_at
+from sdfcheck.lint.engine import Dispatch, Xacro, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle, without_repeats
-from sdfcheck.robot.includes.macros import parts_in_macros
-from sdfcheck.source.document import Document, Element
+from sdfcheck.robot.graph import Part
+from sdfcheck.robot.parts.files import Pieces
+from sdfcheck.robot.parts.gazebo import GazeboBlock
+from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.root import root_of
+from sdfcheck.robot.semantics import find_robots, semantics_in
+from sdfcheck.source.document import Document, Element, read
+from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.prepare import prepare
-from sdfcheck.xacro.static.macro_survey import Bodies
-from sdfcheck.xacro.static.uncalled import unexpanded
-from sdfcheck.xacro.unknown import UnknownParts, has_unknown_value, is_unknown
+from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
+from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
+
+# Lints a xacro file: as it is written, and as what it expands to.
 
 
 def lint_xacro(
@@ -58,3 +65,63 @@ def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispat
     found = list(explain(bodies.problems, document, dispatch))
     parts = list(parts_in_macros(document, bodies.elements))
     return found + list(look_at(parts, bodies.elements, document, dispatch))
+
+
+# Parts of URDF in macros of xacro, where no robot shows them.
+
+_OWNERS: dict[str, type[Link | Joint]] = {
+    "axis": Joint,
+    "collision": Link,
+    "inertial": Link,
+    "limit": Joint,
+    "visual": Link,
+}
+"""Class → the class of the holder: a macro without one is taken for it."""
+
+
+def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator[Part]:
+    """The parts of links and joints, plugins and files, that elements in macros of a document for xacro make."""
+    robot = root_of(document).scopes[0]
+    pieces = Pieces(robot, elements)
+    if pieces.resources:
+        yield pieces
+        yield from pieces.resources
+    for element in pieces.elements:
+        if element.name == "gazebo":
+            yield from GazeboBlock(robot, element).plugins
+        owner = _OWNERS.get(element.name)
+        place = next((each for each in element.around if each.name not in TRANSPARENT), None)
+        if owner is None or place is None:
+            continue
+        holder = robot.registry.get(place)
+        if holder is None:
+            holder = robot.registry[place] = owner(robot, place)
+        yield holder.part(element)
+
+
+# Lints SRDF: with the robots that it may be about, and where it is written in xacro, as it expands.
+
+
+def lint_semantics(document: Document, dispatch: Dispatch, xacro: Xacro | None) -> list[Diagnostic]:
+    """All diagnostics of an SRDF file; of one for xacro those of what it expands to, if it does."""
+    expander = xacro.expander if xacro is not None else None
+    if "<xacro:" not in document.source.text:
+        _find_robots(document, expander)
+        return lint_document(document, dispatch)
+    written = read(document.source.text.encode(), document.path, Kind.XACRO)
+    written.library = document.library
+    expanded = None if expander is None else expander.expand(written).document
+    if expanded is None or expanded.root is None or expanded.root.name != "robot":
+        return []
+    expanded.kind, expanded.library = Kind.SRDF, document.library
+    _find_robots(expanded, expander)
+    return fold(settle(lint_document(expanded, dispatch), expanded, written))
+
+
+def _find_robots(document: Document, expander: Expander | None) -> None:
+    def expand(robot: Document, arguments: Mapping[str, str]) -> Document | None:
+        assert expander is not None
+        return expander.expand(robot, arguments).document
+
+    for semantics in semantics_in(document):
+        find_robots(semantics, expand if expander is not None else None)

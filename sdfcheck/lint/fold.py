@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from sdfcheck.files.disk import Disk
+from sdfcheck.files.library import Disk
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Fix
 from sdfcheck.source.text import Source, Span
@@ -53,7 +53,7 @@ def _with_values(diagnostic: Diagnostic, file: Document) -> Diagnostic:
     value: str | None = getattr(span, "value", None)
     if value is None:
         return diagnostic
-    from sdfcheck.xacro.value_sources import givers
+    from sdfcheck.xacro.static.reasons import givers
 
     found = givers(span, getattr(span, "origins", ()), file)
     message, code = diagnostic.message.replace(span.text, value), f"`{span.text}`"

@@ -1,4 +1,4 @@
-"""Lint one file of a run, with what it refers to available, and silence what is to be silenced."""
+"""Lints one file of a run, with what it refers to available, and silences what is to be silenced."""
 
 from __future__ import annotations
 
@@ -10,20 +10,91 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import Settings
+from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.engine import Dispatch, Xacro, lint_document
 from sdfcheck.lint.rulebook.rulebook import RuleBook
+from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
+    from sdfcheck.files.library import Library
     from sdfcheck.lint.config.settings import ArgumentSet
-    from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.engine import Xacro
     from sdfcheck.lint.fix import Fix
     from sdfcheck.lint.run import RuleFacts
-    from sdfcheck.lint.source_file import FileResult
-    from sdfcheck.lint.suppress.directives import Comment, Directive
+    from sdfcheck.lint.suppress.suppression import Comment, Directive
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander, Surroundings
+
+
+# Reads one file and lints it, a xacro file also as what it expands to.
+
+
+class FileResult(NamedTuple):
+    diagnostics: list[Diagnostic]
+    comments: Sequence[Comment] = ()
+    """Those that speak to sdfcheck."""
+    outward: Sequence[Span] = ()
+    """Where comments may be for what other files bring out."""
+    document: Document | None = None
+    """The document that the comments are in."""
+
+
+def lint_source(
+    data: bytes,
+    path: Path,
+    kind: Kind | None,
+    dispatch: Dispatch,
+    library: Library | None = None,
+    xacro: Xacro | None = None,
+) -> FileResult:
+    """Read and lint one file's bytes. Any text gives diagnostics.
+
+    Other files are taken from the library; without one nothing is looked up.
+    """
+    document = library.known(data, path) if library is not None else None
+    is_own = document is None or document.kind is not (kind or document.kind)
+    if document is None or is_own:
+        document = read(data, path, kind)
+    document.library, document.included_by = library, ()
+    if document.kind is Kind.URDF and library is not None:
+        from sdfcheck.xacro.prepare import is_fragment
+
+        if is_fragment(document):
+            document, is_own = read(data, path, Kind.XACRO), True
+            document.library = library
+    if library is not None and is_own:
+        library.turn_to(document)
+    if document.kind is Kind.SRDF:
+        from sdfcheck.lint.expanded import lint_semantics
+
+        return result(lint_semantics(document, dispatch, xacro), document)
+    if document.kind is Kind.XACRO:
+        from sdfcheck.lint.expanded import lint_xacro
+        from sdfcheck.xacro.static.definitions import is_robot
+
+        expander, sets = xacro or Xacro(None)
+        # A file that includes this one calls its macros, and shows the problems in them.
+        is_open = expander is None or not is_robot(document)
+        return result(lint_xacro(document, dispatch, expander, sets), document, open=is_open)
+    return result(lint_document(document, dispatch), document)
+
+
+def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:
+    """The diagnostics that the document's comments leave; all of it if it is ``open`` to others."""
+    source = document.source
+    if "sdfcheck:" not in source.text or document.root is None:
+        return FileResult(diagnostics)
+    from sdfcheck.lint.suppress.suppression import comments, includes
+
+    whole = [source.span(0, len(source.text))]
+    outward = whole if open else includes(source, document.scan)
+    return FileResult(diagnostics, comments(source, document.scan), outward, document)
+
+
+# Lint one file of a run, with what it refers to available, and silence what is to be silenced.
 
 _ROBOTS = frozenset({Kind.SDF, Kind.URDF})
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG, Kind.BROKEN_XML, Kind.EMPTY})
@@ -120,8 +191,6 @@ def lint_file(
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
     # The process of the expansion gets ready while the rest is loaded here.
     xacro = caches.xacro(settings, file.path) if kind in {Kind.XACRO, Kind.SRDF} else None
-    from sdfcheck.lint.source_file import lint_source
-
     dispatch, library = book.dispatch(settings, file.path), caches.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)
@@ -136,7 +205,6 @@ def lint_included(
     """
     from sdfcheck.lint.diagnostic import Origin, Severity
     from sdfcheck.lint.engine import lint_document
-    from sdfcheck.lint.source_file import result
 
     path = document.path
     settings = configuration.settings_for(path)
@@ -158,8 +226,7 @@ def _silence(
     foreign = _foreign(result.diagnostics, path)
     if not result.comments and not foreign:
         return result.diagnostics, 0
-    from sdfcheck.lint.suppress.directives import directives
-    from sdfcheck.lint.suppress.suppression import suppress
+    from sdfcheck.lint.suppress.suppression import directives, suppress
 
     active, rules = book.active(settings, path), book.rules(settings)
     own = directives(result.comments, rules)
@@ -182,7 +249,7 @@ def _silence(
 
 def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
     """The diagnostics; no fix of theirs changes a comment for sdfcheck."""
-    from sdfcheck.lint.suppress.directives import touched
+    from sdfcheck.lint.suppress.suppression import touched
 
     def is_free(fix: Fix) -> bool:
         own = (edit.span for edit in fix.edits if comments and edit.span.source is comments[0].span.source)
@@ -198,7 +265,7 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
     """
     from sdfcheck.lint.rule import Target, span_of
     from sdfcheck.lint.subjects import Subjects
-    from sdfcheck.lint.suppress.directives import IGNORE
+    from sdfcheck.lint.suppress.suppression import IGNORE
 
     def is_idle(directive: Directive, code: str) -> bool:
         target = directive.comment.target
@@ -226,7 +293,7 @@ def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
     }
     if not sources:
         return []
-    from sdfcheck.lint.suppress.directives import comments
+    from sdfcheck.lint.suppress.suppression import comments
     from sdfcheck.source.scanner.full_scan import scan
 
     return [comment for source in sources for comment in comments(source, scan(source))]

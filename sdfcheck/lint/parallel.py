@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.lint.session import Linter, Notify, Options, Progress, find, joined
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -47,8 +47,7 @@ def run_in_parallel(
         with Linter(options) as linter:
             return joined([linter.lint(found, progress=progress, notify=notify)])
     # One process needs none of it.
-    from sdfcheck.lint.portions import portions
-    from sdfcheck.lint.processes import by_processes, run_of
+    from sdfcheck.lint.processes import by_processes, portions, run_of
 
     work = portions(found, options, jobs * _PORTIONS, is_listening=notify is not None)
     return run_of(by_processes(work, jobs, progress), options, notify)
@@ -63,8 +62,7 @@ def run_on(executor: Executor, paths: Sequence[Path], options: Options) -> Run:
     Raises:
         WrongUsage: as ``run`` does; also if the executor gave no result at all.
     """
-    from sdfcheck.lint.portions import Lost, outcomes, portions, settled, submit
-    from sdfcheck.lint.processes import by_processes, run_of
+    from sdfcheck.lint.processes import Lost, by_processes, outcomes, portions, run_of, settled, submit
 
     options = options.about(paths)
     work = portions(find(paths, options), options, _PORTIONS_OF_A_CLUSTER, is_listening=False)

@@ -1,31 +1,178 @@
-"""Portions of the work by new processes of this machine; what a process that dies was linting is tried again alone."""
+"""Lints in several processes: the files are dealt out in portions, and the findings come back in order."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from functools import lru_cache
 from itertools import chain
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.portions import (
-    Done,
-    Lost,
-    Portion,
-    checked,
-    lint_portion,
-    outcomes,
-    rules_for,
-    settled,
-    single_files,
-    submit,
-)
+from sdfcheck.files.discover import DiscoveredFile, Found
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.session import Notify, Options, Progress, joined
+from sdfcheck.lint.session import Level, Linter, Notice, Notify, Options, Part, Progress, joined
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor
+    from concurrent.futures import Executor, Future
+
+    from sdfcheck.lint.run import RuleFacts
+
+
+# A run divided among the workers of an executor: the portions, and their results.
+#
+# Any :class:`concurrent.futures.Executor` will do: threads, processes, a cluster. A portion of
+# the files and its result can be pickled; a portion is linted from scratch, so that the result
+# depends neither on the worker nor on the order.
+
+DIED = "the process that linted it died, perhaps for lack of memory"
+LARGEST = 50
+"""So many files at most form a portion; its setup is paid once."""
+
+
+class Portion(NamedTuple):
+    """Some of the files of a run, of which each has its ``key``; relative paths start from ``folder``."""
+
+    found: Found
+    options: Options
+    folder: Path
+    key: bytes
+    is_listening: bool
+
+    @property
+    def files(self) -> tuple[DiscoveredFile, ...]:
+        return self.found.files
+
+
+class Done(NamedTuple):
+    """The result of one portion, and the notices that came up."""
+
+    part: Part
+    notices: list[Notice]
+
+
+class Lost(NamedTuple):
+    """A portion without a result, and why; ``is_broken``: the executor takes no more work."""
+
+    reason: str
+    is_broken: bool
+
+
+def portions(found: Found, options: Options, number: int, *, is_listening: bool) -> list[Portion]:
+    """About so many portions of the files; neighbors stay together, as they refer to one another."""
+    size = max(1, min(LARGEST, -(-len(found.files) // max(1, number))))
+    folder, key = Path.cwd(), os.urandom(8)
+    parts = [Found(found.files[at : at + size]) for at in range(0, len(found.files), size)] or [Found(())]
+    parts[0] = found._replace(files=parts[0].files)
+    return [Portion(part, options, folder, key, is_listening) for part in parts]
+
+
+def single_files(portion: Portion) -> list[Portion]:
+    """A portion for each file."""
+    number = len(portion.files)
+    return portions(portion.found, portion.options, number, is_listening=portion.is_listening)
+
+
+def lint_portion(portion: Portion) -> Done | Exception:
+    """Lint the files of a portion, in whatever process or thread; exceptions are results like others."""
+    notices: list[Notice] = []
+    try:
+        _check_folder(portion)
+        book = _book(portion.key)
+        with Linter(portion.options, book) as linter:
+            part = linter.lint(portion.found, notify=notices.append if portion.is_listening else None)
+    except Exception as error:
+        return error
+    # The facts of the rules are larger than what is found in most files.
+    return Done(part._replace(rules={}), notices)
+
+
+@lru_cache(maxsize=4)
+def _book(key: bytes) -> RuleBook:
+    """The rule book of a run, which its portions share."""
+    return RuleBook()
+
+
+def rules_for(files: Iterable[Path], options: Options) -> dict[str, RuleFacts]:
+    """The facts of the rules that run on some of the files, by code."""
+    book = RuleBook()
+    chosen = {id(active): active for active in (book.active(options.settings_for(f), f) for f in files)}
+    return {facts.code: facts for active in chosen.values() for facts in active.facts}
+
+
+def _check_folder(portion: Portion) -> None:
+    here = Path.cwd()
+    if here == portion.folder:
+        return
+    for file in portion.files:
+        if not file.path.is_absolute():
+            raise WrongUsage(
+                f"{file.path} is relative to {portion.folder}, and a worker runs in {here}; give absolute paths"
+            )
+
+
+def submit(executor: Executor, work: Sequence[Portion]) -> list[Future[Done | Exception]]:
+    """Give portions to an executor, all of them or as many as it takes before it breaks."""
+    from concurrent.futures import BrokenExecutor
+
+    futures: list[Future[Done | Exception]] = []
+    with suppress(BrokenExecutor):
+        futures.extend(executor.submit(lint_portion, portion) for portion in work)
+    return futures
+
+
+def outcomes(
+    work: Sequence[Portion], futures: Sequence[Future[Done | Exception]], progress: Progress | None = None
+) -> list[Done | Lost]:
+    """The outcome of each portion, in order; raises the first exception that linting one met."""
+    found: list[Done | Lost] = []
+    count, before = sum(len(portion.files) for portion in work), 0
+    for portion, future in zip(work, futures, strict=False):
+        if progress is not None and portion.files:
+            progress(before, count, portion.files[0].path)
+        found.append(_outcome(future))
+        before += len(portion.files)
+    return found + [Lost("", is_broken=True)] * (len(work) - len(found))
+
+
+def _outcome(future: Future[Done | Exception]) -> Done | Lost:
+    from concurrent.futures import BrokenExecutor
+
+    try:
+        result = future.result()
+    except Exception as error:  # whatever the executor raises for a worker that it has lost
+        return Lost(_described(error), isinstance(error, BrokenExecutor))
+    return checked(result)
+
+
+def checked(result: Done | Exception) -> Done:
+    """The result of :func:`lint_portion`; raises the exception that it may be."""
+    if isinstance(result, Exception):
+        raise result
+    return result
+
+
+def _described(error: BaseException) -> str:
+    return " ".join(f"{type(error).__name__}: {error}".split())
+
+
+def settled(portion: Portion, outcome: Done | Lost) -> Done:
+    """The outcome of a portion; where it was lost, its files are reported as not linted."""
+    if isinstance(outcome, Done):
+        return outcome
+    reason = DIED if outcome.is_broken else outcome.reason
+    skipped = [*portion.found.skipped, *((file.path, reason) for file in portion.files)]
+    notices = [Notice(Level.FAILURE, f"{file.path}: not linted: {reason}") for file in portion.files]
+    return Done(Part([], {}, [], skipped, 0, {}), notices)
+
+
+# Portions of the work by new processes of this machine; what a process that dies was linting is tried again
+# alone.
 
 COPIES = sys.platform == "linux"
 """Whether a worker is a copy of this process; on macOS the system's own libraries do not allow that."""

@@ -16,8 +16,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 ALL = "ALL"
 

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.discover import DiscoveredFile, Found, discover
-from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import Library
+from sdfcheck.files.library import Disk, Library
 from sdfcheck.files.regular import (
     OUTSIDE,
     Identity,
@@ -28,9 +27,9 @@ from sdfcheck.lint.one_file import Caches, Selected, lint_file, lint_included
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.select import ActiveRules
+from sdfcheck.source.errors import REPORT_IT, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
-from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic

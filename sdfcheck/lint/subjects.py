@@ -19,7 +19,7 @@ OF_TEXT: dict[str, tuple[Kind | None, str]] = {
     "Prefix": (None, "sdfcheck.formats.namespaces:prefixes"),
     "PrefixDeclaration": (None, "sdfcheck.formats.namespaces:declarations"),
     "PrefixedName": (None, "sdfcheck.formats.namespaces:names"),
-    "Semantics": (Kind.SRDF, "sdfcheck.robot.semantics.semantics:semantics_in"),
+    "Semantics": (Kind.SRDF, "sdfcheck.robot.semantics:semantics_in"),
 }
 """Class → the kind of documents that have its objects (None: all), and what finds them."""
 

@@ -21,8 +21,7 @@ from sdfcheck.lsp.names.index import definitions, occurrences, references
 from sdfcheck.lsp.names.rename import Target, rename, target
 from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.outline import Maker, Part, folds, links, outline, target_of
-from sdfcheck.lsp.positions import Units, place_of
-from sdfcheck.lsp.speech import NAME, Speech, Written, plain
+from sdfcheck.lsp.speech import NAME, Speech, Units, Written, place_of, plain
 from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence

@@ -17,20 +17,17 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.derived import Robot, robot_of
 from sdfcheck.lsp.loopback import Loopback, Page
-from sdfcheck.lsp.schedule import Schedule
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import Speech, path_of, plain
-from sdfcheck.lsp.worker import SURVEY
+from sdfcheck.lsp.worker import SURVEY, Schedule
 from sdfcheck.lsp.workspace import Buffer, Workspace
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span
-from sdfcheck.source.wrong_usage import WrongUsage
-from sdfcheck.view.meshes import Meshes
+from sdfcheck.view.meshes import Json, Meshes
 from sdfcheck.view.notes import Parts, findings
-from sdfcheck.view.numbers import Json
 from sdfcheck.view.page import live_page, live_policy
 from sdfcheck.view.scene import MOST_SHAPES, scene
 
@@ -262,8 +259,7 @@ class Beside:
         document = self.workspace.document(buffer.path)
         if document is None or document.kind is not Kind.XACRO:
             return []
-        from sdfcheck.xacro.static.arguments import taken_arguments
-        from sdfcheck.xacro.static.definitions import visible_definitions
+        from sdfcheck.xacro.static.definitions import taken_arguments, visible_definitions
 
         sets = self.workspace.settings_for(buffer.path).arguments_for(buffer.path)
         chosen = {**(dict(sets[0]) if sets else {}), **shown.arguments}
@@ -296,7 +292,7 @@ def _is_of(source: Source, buffer: Buffer) -> bool:
 
 def _fault(robot: Robot) -> str:
     """Where the text is broken; empty for one that is not."""
-    from sdfcheck.convert.broken_text import break_of
+    from sdfcheck.convert.soundness import break_of
 
     span = break_of(robot.document)
     return "" if span is None else f"The text is broken in line {span.begin.line}"

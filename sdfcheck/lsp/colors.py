@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from sdfcheck.formats.describe.spot import spot
+from sdfcheck.formats.describe import spot
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.hover import names_around, version_of
 from sdfcheck.source.document import Document, Element, Value

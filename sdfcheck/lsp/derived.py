@@ -9,10 +9,10 @@ from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.actions import differences
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span
-from sdfcheck.source.wrong_usage import WrongUsage
 from sdfcheck.xacro.origins import ExpandedDocument
 
 if TYPE_CHECKING:

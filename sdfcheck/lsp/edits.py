@@ -18,11 +18,10 @@ from sdfcheck.lsp.signature import Signature, signature
 from sdfcheck.lsp.speech import Speech, path_of, plain
 from sdfcheck.lsp.tags import NAME_PATTERN, linked, selections
 from sdfcheck.lsp.workspace import Buffer, Workspace
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.source.wrong_usage import WrongUsage
 
 T = TypeVar("T")
 

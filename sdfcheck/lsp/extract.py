@@ -10,9 +10,8 @@ from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.cursor import Cursor, Part, at, elements
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.references import escape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import Span, escape
 from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, PREFIX, is_literal, matches
 from sdfcheck.xacro.static.definitions import own_words, reading, visible_definitions
 from sdfcheck.xacro.static.project import project_names

@@ -6,17 +6,17 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.lsp.names.srdf_names import descriptions_for
+from sdfcheck.lsp.names.index import descriptions_for
 from sdfcheck.lsp.signature import described, macro_of
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Node
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.parts.joint import Joint
     from sdfcheck.robot.parts.link import Link
 

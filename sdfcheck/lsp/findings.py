@@ -13,10 +13,10 @@ from sdfcheck.lsp.glance import Look, glance, look, near
 from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Value

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.parts.joint import Limit
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span

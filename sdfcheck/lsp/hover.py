@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.formats import plugins
-from sdfcheck.formats.describe.description import HOW_OFTEN, Description, summary
-from sdfcheck.formats.describe.spot import Spot, describe_custom, spot
+from sdfcheck.formats.describe import HOW_OFTEN, Description, Spot, describe_custom, spot, summary
 from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Diagnostic

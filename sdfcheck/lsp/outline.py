@@ -14,9 +14,8 @@ from sdfcheck.files.uris import locate
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.references import unescape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, unescape
 
 _SHOWN = frozenset(
     """

@@ -6,8 +6,8 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 
+from sdfcheck.source.decode import DEPTH_LIMIT
 from sdfcheck.source.document import Aside, Document, Element, fill
-from sdfcheck.source.limits import DEPTH_LIMIT
 from sdfcheck.source.scanner.scan import ElementPlace, QuickScan, Scan
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source

@@ -27,14 +27,12 @@ from sdfcheck.lsp.cursor import at
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.lsp.positions import Units, changed
-from sdfcheck.lsp.schedule import Schedule
-from sdfcheck.lsp.speech import NAME, Speech, Written, path_of
+from sdfcheck.lsp.speech import NAME, Speech, Units, Written, changed, path_of
 from sdfcheck.lsp.sweep import Sweep
-from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Worker
+from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Schedule, Worker
 from sdfcheck.lsp.workspace import Buffer, Choices, Workspace
 from sdfcheck.release import __version__
-from sdfcheck.source.wrong_usage import REPORT_IT
+from sdfcheck.source.errors import REPORT_IT
 
 T = TypeVar("T")
 _LONGEST = 300

@@ -11,9 +11,9 @@ from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.one_file import Selected, lint_file
 from sdfcheck.lsp.workspace import LiveCaches, Workspace
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Treatment, sniff, treatment
-from sdfcheck.source.wrong_usage import WrongUsage
 
 MOST_FILES = 1_000
 """So many files of a workspace are linted, no more."""

@@ -21,7 +21,7 @@ from sdfcheck.lint.config.settings import GIVEN, UNSET, Field, Shape
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import NAME, path_of, plain
 from sdfcheck.lsp.workspace import Choices
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 _DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"

@@ -8,8 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from sdfcheck.files.discover import discover
-from sdfcheck.files.disk import Disk
-from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.library import Disk, Library, SearchPaths
 from sdfcheck.files.regular import SIZE_LIMIT, read_regular
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET, Settings
@@ -21,10 +20,10 @@ from sdfcheck.lsp.completion.context import Checkpoints
 from sdfcheck.lsp.names.xacro_names import Own
 from sdfcheck.lsp.reparse import LONG, reparsed
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 from sdfcheck.source.text import Source
-from sdfcheck.source.wrong_usage import WrongUsage
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.static.definitions import Reading, is_robot
 

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from sdfcheck.lint.run import Run
-    from sdfcheck.report.robots import Robot
+    from sdfcheck.report.content import Robot
     from sdfcheck.report.summary import View
 
 

@@ -1,4 +1,4 @@
-"""The content of the HTML report, as JSON for its script."""
+"""The content of the HTML report, as JSON for its script, with the robots that it shows."""
 
 from __future__ import annotations
 
@@ -11,16 +11,22 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
-from sdfcheck.report.block import first_of, marks_by_file
 from sdfcheck.report.colors import INK_OF, painter
-from sdfcheck.report.frame import frame
-from sdfcheck.report.not_found import not_found
+from sdfcheck.report.digest import not_found
+from sdfcheck.report.frame import first_of, frame, marks_by_file
 from sdfcheck.report.overview import Row, sections
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import View, closing_line
+from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source
 from sdfcheck.source.visible import harmless_document, visible
+from sdfcheck.view.meshes import Meshes
+from sdfcheck.view.notes import findings
+from sdfcheck.view.page import page, split
+from sdfcheck.view.scene import scene
+
+# The content of the HTML report, as JSON for its script.
 
 # A fix as the lines that it changes, with what it takes out of them and puts into them.
 
@@ -211,3 +217,47 @@ class Content:
             "count": len(row.found),
             "files": len({each.span.source.path for each in row.found}),
         }
+
+
+# The robots of a run, as the HTML report embeds them.
+
+_BYTES = 10_000_000
+"""Of the scenes in a report, meshes included; what does not fit is left out."""
+_FINDINGS = 200
+"""The findings listed beside a robot, at most."""
+TITLE = "\ue000"
+"""A substitute for the file's name in the page of a robot; names cannot hold it, as it cannot be shown."""
+
+
+class Robot(NamedTuple):
+    """A file whose robot can be shown: ``page`` is what `sdfcheck view` writes, with TITLE as its title."""
+
+    path: Path
+    page: str
+
+
+def robots(run: Run, documents: Iterable[tuple[Path, Document]]) -> Iterator[Robot]:
+    """The robots of descriptions that can be drawn, with the findings of a run."""
+    left = _BYTES
+    for path, document in documents:
+        meshes = Meshes(all=left // 2)
+        drawn = scene(document, meshes)
+        if not any(model["links"] for model in drawn["models"]):
+            continue
+        found = findings(_gravest(run, path), document, run.pages)
+        text = page(TITLE, [drawn], meshes.entries, findings=found)
+        size = len(split(text)[1])
+        if size <= left:
+            left -= size
+            yield Robot(path, text)
+
+
+def _gravest(run: Run, path: Path) -> tuple[Diagnostic, ...]:
+    """The findings about a file that are listed beside its robot; the report has all of them."""
+    found = [each for each in run.diagnostics if _is_in(each, path)]
+    return tuple(sorted(found, key=lambda each: -each.severity.rank)[:_FINDINGS])
+
+
+def _is_in(found: Diagnostic, path: Path) -> bool:
+    """Whether a finding is in a file, or in what that includes or calls."""
+    return any(span.source.path == path for span in (found.span, *(origin.span for origin in found.origins)))

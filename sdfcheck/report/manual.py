@@ -21,8 +21,8 @@ from sdfcheck.lint.rulebook.trial import ExampleRunner, file_name
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.release import FIRST_RELEASE
-from sdfcheck.report.block import Style, block
 from sdfcheck.report.colors import painter
+from sdfcheck.report.frame import Style, block
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.xacro.expansion import Expander

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity, counted, listed
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.wording import counted, listed
 from sdfcheck.source.record import NamedTuple
 
 

@@ -14,7 +14,7 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.reserved import MODEL_FRAME, NODES, WORLD_FRAME
+from sdfcheck.robot.naming.name import MODEL_FRAME, NODES, WORLD_FRAME
 from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, parts, reference_of
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from sdfcheck.formats.topology import Displaced
     from sdfcheck.robot.includes.included import Included
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Origin
     from sdfcheck.robot.motion.poses import Pose
     from sdfcheck.robot.motion.rotations import Array
@@ -403,7 +403,7 @@ class Part:
         if not self.is_given:
             return False
         if self.is_urdf:
-            from sdfcheck.formats.urdf.misspellings import misspells
+            from sdfcheck.formats.urdf.findings import misspells
 
             return misspells(self.element, name)
         from sdfcheck.formats.sdf.survey import survey
@@ -428,7 +428,7 @@ class Part:
             return False
         if not self.is_unfinished:
             return True
-        from sdfcheck.formats.urdf.misspellings import definition
+        from sdfcheck.formats.urdf.findings import definition
         from sdfcheck.xacro.static.macro_survey import may_get
 
         return not may_get(self.element, name, definition(self.element))

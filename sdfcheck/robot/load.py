@@ -11,8 +11,8 @@ from sdfcheck.files.regular import read_named
 from sdfcheck.robot.includes.multiplied import TooManyModels, refuse_too_many
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import HEAD, Kind, sniff
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Unreadable(ValueError):

@@ -10,17 +10,16 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import NEWEST, VERSIONS, Version
 from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named
-from sdfcheck.robot.reserved import WORLD_FRAME
+from sdfcheck.robot.naming.name import WORLD_FRAME
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
     from sdfcheck.robot.graph import Model, World
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.poses import Poses
-    from sdfcheck.robot.naming.frames import FrameReference
+    from sdfcheck.robot.naming.frames import FrameReference, Ring
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.naming.rings import Ring
     from sdfcheck.robot.parts.control import ControlComponent, Ros2Control
     from sdfcheck.robot.parts.files import Include, Resource
     from sdfcheck.robot.parts.gazebo import GazeboBlock
@@ -69,7 +68,7 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
     "ControlTransmission": lambda root: (each for block in _control(root) for each in block.transmissions),
     "Include": attrgetter("includes"),
     "FrameReference": attrgetter("frame_references"),
-    "Pieces": lambda root: (),  # `sdfcheck.robot.includes.macros` makes them
+    "Pieces": lambda root: (),  # `sdfcheck.lint.expanded` makes them
     "Resource": attrgetter("resources"),
     "Root": lambda root: (root,),
 }
@@ -251,7 +250,7 @@ class Root(Part):
         """The frames that are attached to, or placed relative to, each other in a ring."""
         if not self.frame_references:
             return ()
-        from sdfcheck.robot.naming.rings import rings
+        from sdfcheck.robot.naming.frames import rings
 
         return rings(self)
 

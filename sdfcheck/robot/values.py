@@ -84,7 +84,7 @@ class Number(_Placed, float):
             try:
                 number = cls(text)
             except ValueError:
-                from sdfcheck.formats.sdf.numbers import leading_float
+                from sdfcheck.formats.sdf.values import leading_float
 
                 found = leading_float(text)
                 number = cls("nan" if found is None else found.value)

@@ -10,8 +10,7 @@ from pathlib import Path
 from pyexpat import ExpatError, ParserCreate
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, cast, overload
 
-from sdfcheck.source.decode import decode
-from sdfcheck.source.limits import ATTRIBUTE_LIMIT, DEPTH_LIMIT, LENGTH_LIMIT
+from sdfcheck.source.decode import ATTRIBUTE_LIMIT, DEPTH_LIMIT, LENGTH_LIMIT, decode
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step
 
@@ -766,7 +765,7 @@ class Document:
         text = self.source.text
         if text.rfind("<!--", 0, fault) <= text.rfind("-->", 0, fault):
             return False
-        from sdfcheck.source.scanner.hyphens import without_hyphens
+        from sdfcheck.source.scanner.tokens import without_hyphens
 
         spaced = without_hyphens(self.source)
         if spaced is None:

@@ -10,9 +10,15 @@ the median of the pairs for the percentages; Python 3.11.
 
 from __future__ import annotations
 
+import sys
 from collections import _tuplegetter  # type: ignore[attr-defined]
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, ClassVar, NoReturn, TypeVar
+
+if TYPE_CHECKING:
+    from inspect import Signature
+
 
 if TYPE_CHECKING:
     from typing import NamedTuple
@@ -142,3 +148,39 @@ if not TYPE_CHECKING:
         def __repr__(self) -> str:
             pairs = ", ".join(f"{field}={value!r}" for field, value in self._asdict().items())
             return f"{type(self).__name__}({pairs})"
+
+
+# Packages that are functions, too.
+
+
+class CallablePackage(ModuleType):
+    # Importing a module of a package makes the package an attribute of the one around it,
+    # where a function of its name would have been: so the package itself is the function
+    # of the same name in its module ``call``, with its signature and manual.
+
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
+        return _function(self)(*arguments, **options)
+
+    @property
+    def __signature__(self) -> Signature:
+        from inspect import signature
+
+        return signature(_function(self))
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        name = self.__name__.rpartition(".")[2]
+        return f"{name}{self.__signature__}\n\n{_function(self).__doc__}"
+
+
+def _function(package: ModuleType) -> Callable[..., Any]:
+    from importlib import import_module
+
+    module = import_module(f"{package.__name__}.call")
+    function: Callable[..., Any] = getattr(module, package.__name__.rpartition(".")[2])
+    return function
+
+
+def make_callable(name: str) -> None:
+    """Make a package that is being imported callable."""
+    sys.modules[name].__class__ = CallablePackage

@@ -1,14 +1,17 @@
-"""Texts, places in them, and the units in which the world counts columns."""
+"""Texts, places in them, the units in which the world counts columns, and the paths of files."""
 
 from __future__ import annotations
 
 import os
 import re
 from bisect import bisect_right
+from collections.abc import Mapping
 from itertools import accumulate
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
+
+# Texts, places in them, and the units in which the world counts columns.
 
 _LINE_END = re.compile(r"\r\n?|\n")
 
@@ -153,3 +156,43 @@ class Step(NamedTuple):
 def is_expression(text: str) -> bool:
     """Whether xacro should have replaced something in a text."""
     return "${" in text or "$(" in text
+
+
+# Paths seen from a folder.
+
+
+def relative_path(path: str | os.PathLike[str], start: str | os.PathLike[str] = os.curdir) -> str:
+    """A path as seen from a folder; the whole path where no way leads there: on another drive of Windows."""
+    try:
+        return os.path.relpath(path, start)
+    except ValueError:
+        return os.path.abspath(path)
+
+
+def shown(path: Path) -> str:
+    """The path as people call it: relative, where it lies below the current folder."""
+    relative = relative_path(path)
+    return (str(path) if relative.startswith("..") else relative).replace(os.sep, "/")
+
+
+# Characters that XML writes as references, such as ``&amp;``.
+
+IN_QUOTES = {'"': "&quot;", "'": "&apos;"}
+"""The characters that a value in quotes of either kind cannot hold."""
+IN_ATTRIBUTE = {'"': "&quot;", "\n": "&#10;", "\t": "&#9;", "\r": "&#13;"}
+"""The characters that an attribute in double quotes cannot hold, or that would be read as a space."""
+
+
+def escape(text: str, others: Mapping[str, str] | None = None) -> str:
+    """A text as XML writes it; ``others``: further characters, with what is written for them."""
+    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    for character, reference in (others or {}).items():
+        text = text.replace(character, reference)
+    return text
+
+
+def unescape(text: str) -> str:
+    """The text before :func:`escape`."""
+    for character, reference in IN_QUOTES.items():
+        text = text.replace(reference, character)
+    return text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")

@@ -1,17 +1,47 @@
-"""The meshes of a scene: each file once, embedded if it is not too large."""
+"""The meshes of a scene and its numbers, as the page reads them; each file once, embedded if it is not too large."""
 
 from __future__ import annotations
 
 import base64
+import math
 import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from lxml import etree
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
-from sdfcheck.source.document import Document
+from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.source.document import Document, Element
+
+# Numbers, transforms and places as the page reads them.
+
+Json = dict[str, Any]
+
+
+def place(element: Element) -> str:
+    """``file:line`` of an element."""
+    return f"{element.span.source.path.name}:{element.span.begin.line}"
+
+
+def flat(transform: Array) -> list[float]:
+    """A 4×4 transform column by column; what is not a number is 0, so that the page can draw it."""
+    return [finite(number) for number in np.asarray(transform).T.ravel().tolist()]
+
+
+def finite(number: float, default: float = 0.0) -> float:
+    """The number; ``default`` for nan, infinity, and what is too large to be drawn."""
+    return float(number) if math.isfinite(number) and abs(number) < 1e15 else default
+
+
+def bound(number: float) -> float | None:
+    """A limit; None for none."""
+    return float(number) if math.isfinite(number) and abs(number) < 1e15 else None
+
+
+# The meshes of a scene: each file once, embedded if it is not too large.
 
 FORMATS = {".stl": "stl", ".obj": "obj", ".dae": "dae", ".glb": "gltf", ".gltf": "gltf"}
 ONE = 8_000_000

@@ -8,16 +8,16 @@ from types import MappingProxyType
 from sdfcheck.convert.comparison import Change
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Part, World
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.parts.joint import Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
-from sdfcheck.view.numbers import Json
+from sdfcheck.view.meshes import Json
 
 _LAYERS = {
     "Inertial": "inertias",

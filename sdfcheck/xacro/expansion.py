@@ -300,7 +300,7 @@ class Expander:
         lacking = {problem.detail for problem in done.problems if _is_missing_argument(problem)}
         if not lacking:
             return done
-        from sdfcheck.xacro.static.arguments import missing_arguments
+        from sdfcheck.xacro.static.definitions import missing_arguments
 
         others = missing_arguments(document, {*lacking, *(arguments or {})})
         return done._replace(problems=(*done.problems, *others))
@@ -381,7 +381,7 @@ def expand(
 def _unprefixed(document: Document) -> list[tuple[str, int, int]]:
     """The file, line and column of each element that a document uses without the prefix of xacro."""
     from sdfcheck.xacro.static.definitions import visible_definitions
-    from sdfcheck.xacro.static.prefixes import missing_prefixes
+    from sdfcheck.xacro.static.likely_mistakes import missing_prefixes
 
     files = [read.document for read in visible_definitions(document).readings]
     names = (

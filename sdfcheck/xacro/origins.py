@@ -15,7 +15,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.scanner.scan import Scan, quick_scan
 from sdfcheck.source.scanner.start_tag import START, StartTag
-from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.source.text import Source, Span, Step, relative_path
 
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
@@ -294,3 +294,53 @@ class ExpandedDocument(Document):
             if attribute.name_start <= span.start and span.end <= attribute.name_end:
                 return self.spans.attribute_name(element, attribute.name)
         return self.spans.name(element)
+
+
+# The expanded text with comments that say where each element was written.
+
+_RUN = "--"
+
+
+def annotated(document: ExpandedDocument) -> str:
+    """The text, with a comment before every element that is on a line of its own.
+
+    Elements written on consecutive lines of one file in one go share the comment of the
+    element around them.
+    """
+    text = document.source.text
+    root = document.root
+    if root is None:
+        return text
+    pieces, at = [], 0
+    starts = document.scan.starts
+    for start, element in zip(starts, document.elements, strict=True):
+        line = text.rfind("\n", 0, start) + 1
+        if text[line:start].strip() or not _is_news(element, document):
+            continue
+        pieces += [text[at:line], text[line:start], f"<!-- {_origin(element, document)} -->\n"]
+        at = line
+    return "".join([*pieces, text[at:]])
+
+
+def _is_news(element: Element, document: ExpandedDocument) -> bool:
+    """Whether the comment of the element around does not say it all."""
+    parent = element.parent
+    if parent is None:
+        return True
+    spans = document.spans
+    same = spans.home(element) is spans.home(parent)
+    return not same or spans.origins(element) != spans.origins(parent) or "name" in element.attributes
+
+
+def _origin(element: Element, document: ExpandedDocument) -> str:
+    steps = "".join(f"; {step.text}: {_place(step.span)}" for step in document.origins(element))
+    text = f"{_place(element.span)}{steps}".replace(", called here", "")
+    while _RUN in text:
+        text = text.replace(_RUN, "-")
+    return text
+
+
+def _place(span: Span) -> str:
+    path = span.source.path
+    shown = relative_path(path) if path.is_absolute() and path.is_relative_to(Path.cwd()) else str(path)
+    return f"{shown}:{span.begin.line}"

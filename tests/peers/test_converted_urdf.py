@@ -16,11 +16,11 @@ from lxml import etree
 
 from sdfcheck.cli.main import main
 from sdfcheck.convert.comparison import Correspondence, verify
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind, sniff
 from tests.peers import cmdcheck, cmdprint, drake_poses, libsdformat
 from tests.peers.findings import SHARED

@@ -14,12 +14,12 @@ from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.migrate.migrate import comparable, correspondence, migrated, models, sdf_to_sdf
 from sdfcheck.convert.migrate.migration import Migration
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.source.document import Document, read
+from sdfcheck.source.errors import DescriptionError
 from tests.peers.cmdprint import version_of
 from tests.peers.findings import SHARED
 from tests.peers.libsdformat import library

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from sdfcheck.formats.export.rng import rng
-from sdfcheck.formats.export.xsd import xsd
+from sdfcheck.formats.export import rng, xsd
 from sdfcheck.formats.version import Version
 from tests.peers.findings import SHARED, findings
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.errors import DescriptionError
 from tests.peers.findings import SHARED
 from tests.peers.test_values import Value, is_installed, program, same, theirs, upper
 

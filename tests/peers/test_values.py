@@ -14,7 +14,6 @@ import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Node, World
 from sdfcheck.robot.motion import mass
 from sdfcheck.robot.motion.flatten import direction_of
@@ -25,6 +24,7 @@ from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.parts.sensor import Sensor
 from sdfcheck.robot.parts.shape import Shape, Visual
 from sdfcheck.robot.root import root_of
+from sdfcheck.source.errors import DescriptionError
 from tests.peers.findings import SHARED
 
 SOURCE = Path(__file__).with_name("values.cc")

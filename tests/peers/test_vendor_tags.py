@@ -15,7 +15,7 @@ from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Massless, Options
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document, read
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 from tests.peers import drake_plants
 from tests.peers.findings import SHARED
 

@@ -12,8 +12,8 @@ from sdfcheck.cli.parts.options import colored, configured, path, reported, toge
 from sdfcheck.cli.parts.output import FORMATS
 from sdfcheck.formats.near_names import did_you_mean
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class Request(NamedTuple):

@@ -12,9 +12,9 @@ from sdfcheck.cli.parts.options import configured, settable, taken
 from sdfcheck.cli.parts.terminal import pair, say
 from sdfcheck.files.library import Library
 from sdfcheck.report import OutputFormat
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.cli.parts.output import Output
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.config.settings import Settings
     from sdfcheck.lint.run import Run
     from sdfcheck.lint.session import Options
-    from sdfcheck.report.robots import Robot
+    from sdfcheck.report.content import Robot
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.expansion import Expander
 
@@ -93,7 +93,7 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
 
 def warn_if_broken(*documents: Document) -> None:
     """Say on stderr where the text of a description is broken: what a command shows of it may not be all."""
-    from sdfcheck.convert.broken_text import break_of
+    from sdfcheck.convert.soundness import break_of
 
     for document in documents:
         if (span := break_of(document)) is not None:
@@ -142,7 +142,7 @@ def check_arguments(
     if not names:
         return
     from sdfcheck.formats.near_names import nearest
-    from sdfcheck.xacro.static.arguments import taken_arguments
+    from sdfcheck.xacro.static.definitions import taken_arguments
 
     library = Library(settings.search, settings.size_limit)
     taken: set[str] = set()
@@ -191,7 +191,7 @@ def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[
 
     if len(run.files) > MOST_ROBOTS:
         return ()
-    from sdfcheck.report.robots import robots
+    from sdfcheck.report.content import robots
 
     around = Around(options.configuration, options.arguments)
     return list(robots(run, _documents(run, around)))

@@ -13,7 +13,7 @@ import click
 from sdfcheck.cli.parts.terminal import pair
 from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.lint.config.settings import GIVEN, UNSET, Field, Settings, Shape
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -61,8 +61,7 @@ def versions(context: click.Context, parameter: click.Parameter, begun: str) -> 
 
 def places(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
     """The continuations in the newest SDFormat, or another format: ``joint/ax`` → ``joint/axis``."""
-    from sdfcheck.formats.describe.description import UnknownPlace
-    from sdfcheck.formats.describe.place import describe
+    from sdfcheck.formats.describe import UnknownPlace, describe
     from sdfcheck.formats.version import NEWEST
 
     above, slash, word = begun.rpartition("/")

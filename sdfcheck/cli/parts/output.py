@@ -23,12 +23,12 @@ from sdfcheck.files.regular import note_read
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report.summary import EVERYTHING, View
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import harmless
-from sdfcheck.source.wrong_usage import WrongUsage
 
 if TYPE_CHECKING:
-    from sdfcheck.report.robots import Robot
+    from sdfcheck.report.content import Robot
 
 FORMATS = tuple(known.value for known in OutputFormat)
 

@@ -11,8 +11,8 @@ from typing import TextIO
 import click
 
 from sdfcheck.files.regular import read_on
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.visible import harmless, harmless_document
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 def wants_color(choice: str, stream: TextIO | None, environment: Mapping[str, str] = os.environ) -> bool:

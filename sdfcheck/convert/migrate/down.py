@@ -9,10 +9,9 @@ import numpy as np
 
 from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.migrate import numbers
+from sdfcheck.convert.migrate import migration as numbers
 from sdfcheck.convert.migrate.draft import Node
-from sdfcheck.convert.migrate.migration import Migration, Places, title
-from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
+from sdfcheck.convert.migrate.migration import Migration, Places, rename_in_plugins, title
 from sdfcheck.convert.migrate.up import STATES
 from sdfcheck.convert.writer import number, settled
 from sdfcheck.formats.schema import Definition
@@ -20,15 +19,14 @@ from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.graph import Scope
-from sdfcheck.robot.motion.mass import automatic
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties, automatic
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, from_rpy, inverse, transform
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.values import reference_of
+from sdfcheck.source.errors import DescriptionError
 
 # The directions of joint axes as older versions write them.
 

@@ -12,7 +12,7 @@ from sdfcheck.convert.writer import aside_text, start_of
 from sdfcheck.source.altered import Altered, Xml, copied_as
 from sdfcheck.source.document import Aside, Comment, Document, Element
 from sdfcheck.source.document import Node as Read
-from sdfcheck.source.references import IN_QUOTES, escape
+from sdfcheck.source.text import IN_QUOTES, escape
 
 # Elements that can be changed, on lines of their own.
 

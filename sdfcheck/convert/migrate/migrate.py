@@ -10,11 +10,8 @@ import numpy as np
 
 from sdfcheck.convert import ledger
 from sdfcheck.convert.comparison import Correspondence
-from sdfcheck.convert.contents.entry import Contents
-from sdfcheck.convert.contents.of_sdf import of_model, of_world
 from sdfcheck.convert.ledger import EVERYTHING, TEXT
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
-from sdfcheck.convert.migrate.defaults import drop_dead, write_defaults
 from sdfcheck.convert.migrate.down import (
     attach_joints_to_links,
     drop_frames,
@@ -36,14 +33,14 @@ from sdfcheck.convert.migrate.down import (
     write_thread_pitch,
 )
 from sdfcheck.convert.migrate.draft import Draft, Node
-from sdfcheck.convert.migrate.migration import Migration, title
+from sdfcheck.convert.migrate.migration import Migration, drop_dead, title, write_defaults
 from sdfcheck.convert.migrate.up import go_up
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result, with_text
 from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion, expanded
+from sdfcheck.convert.settings_tree import Contents, of_model, of_world
 from sdfcheck.convert.writer import render
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey
 from sdfcheck.formats.version import VERSIONS, Version
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Scope, World
 from sdfcheck.robot.includes.included import included
 from sdfcheck.robot.motion.flatten import mechanism_of
@@ -53,6 +50,7 @@ from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml, copied_as
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 

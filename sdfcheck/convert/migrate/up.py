@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -10,15 +11,16 @@ import numpy as np
 
 from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.migrate import numbers
-from sdfcheck.convert.migrate.defaults import write_defaults
+from sdfcheck.convert.migrate import migration as numbers
 from sdfcheck.convert.migrate.draft import Node
-from sdfcheck.convert.migrate.migration import Migration, Places, title
-from sdfcheck.convert.migrate.plugin_names import rename_in_plugins
+from sdfcheck.convert.migrate.migration import Migration, Places, rename_in_plugins, title, write_defaults
 from sdfcheck.convert.writer import number
+from sdfcheck.formats.version import Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.source.altered import Xml
+from sdfcheck.source.document import Comment
 from sdfcheck.source.record import NamedTuple
 
 # The changes that libsdformat makes when it reads an older file, from data/migration.txt.
@@ -494,3 +496,70 @@ _BEFORE = {
     10: (_convert_thread_pitch,),
     12: (_rename_states,),
 }
+
+
+# Parts of links in ``<gazebo>`` blocks as they were written up to 1.6, in today's words.
+
+_SINCE = Version(1, 6)
+"""From here on the noise of an imu is said for each axis."""
+_RELATIVE = Version(1, 7)
+"""From here on ``relative_to`` of a pose says what was its ``frame``."""
+_IMU = "//imu"
+
+
+def renew(node: Xml, version: Version) -> bool:
+    """Say the noise of the imus, and the frames of poses, in a copied element as a version has them.
+
+    True if there was noise.
+    """
+    if version >= _RELATIVE:
+        for pose in [*_all(node)]:
+            if pose.name == "pose" and (frame := pose.attributes.pop("frame", None)):
+                pose.attributes.setdefault("relative_to", frame)
+    changed = False
+    if version >= _SINCE:
+        for imu in [*_all(node)]:
+            noise = imu.find("noise") if imu.name == "imu" else None
+            if noise is not None:
+                _for_each_axis(imu, noise)
+                changed = True
+    return changed
+
+
+def _for_each_axis(imu: Xml, noise: Xml) -> None:
+    for operation in operations(_SINCE.minor):
+        if operation.at == _IMU and operation.target:
+            _copy(imu, operation)
+    imu.remove(noise)
+    for part in _all(noise):
+        for name, text in part.attributes.items():
+            if ":" in name:
+                imu.attributes.setdefault(name, text)
+        imu.extend(*(node for node in part.nodes if isinstance(node, Comment) or _is_custom(node)))
+
+
+def _copy(imu: Xml, operation: Operation) -> None:
+    found: Xml | None = imu
+    for name in operation.source.split("/"):
+        found = found.find(name) if found is not None else None
+    if found is None or not found.content:
+        return
+    path, _, attribute = operation.target.partition("/@")
+    target = imu.reach(*path.split("/"))
+    if attribute:
+        target.attributes.setdefault(attribute, found.content)
+    elif not target.content:
+        target.write(found.content)
+
+
+def _is_custom(child: object) -> bool:
+    return isinstance(child, Xml) and ":" in child.name
+
+
+def _all(node: Xml) -> Iterator[Xml]:
+    """A node and those below it, but what is in plugins and custom ones."""
+    if node.name == "plugin" or _is_custom(node):
+        return
+    yield node
+    for child in node.children():
+        yield from _all(child)

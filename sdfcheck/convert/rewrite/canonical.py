@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.convert.broken_text import refuse_broken
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import written_out
 from sdfcheck.convert.result import with_text
+from sdfcheck.convert.soundness import refuse_broken
 from sdfcheck.convert.writer import number, render
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
@@ -18,16 +18,14 @@ from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.errors import DescriptionError
-from sdfcheck.robot.motion.mass import automatic
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties, automatic
 from sdfcheck.robot.motion.poses import PoseError
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 # Numbers of a description in canonical form: shortest exact texts, poses in one unit.
 

@@ -20,14 +20,13 @@ from sdfcheck.robot.includes.included import (
     with_parameters,
 )
 from sdfcheck.robot.motion.rotations import to_rpy
-from sdfcheck.robot.reserved import MODEL_FRAME
+from sdfcheck.robot.naming.name import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml, copied
 from sdfcheck.source.document import Document, Element, Node
 from sdfcheck.source.problems import SyntaxDefect
-from sdfcheck.source.relative import relative_path
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source
+from sdfcheck.source.text import Source, relative_path
 
 # Files that were found beside an included file, as found from the file that includes it.
 

@@ -1,6 +1,6 @@
 """Links that became part of another when URDF was converted, as links again.
 
-That conversion leaves marks (:mod:`sdfcheck.convert.marks`). Where inertials were summed up, and the sum has been
+That conversion leaves marks (:mod:`sdfcheck.convert.writer`). Where inertials were summed up, and the sum has been
 changed since, its parts are not known any more, and the links stay together.
 """
 
@@ -11,20 +11,19 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from sdfcheck.convert.marks import INERTIAL, JOINT, LINK, MERGED, NONE, NOTHING, PARENT, WAS
 from sdfcheck.convert.rewrite.include_expansion import finish
-from sdfcheck.convert.writer import numbers
+from sdfcheck.convert.writer import INERTIAL, JOINT, LINK, MERGED, NONE, NOTHING, PARENT, WAS, numbers
 from sdfcheck.formats.sdf.values import number
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _EQUAL = 1e-9

@@ -7,10 +7,21 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import takewhile
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import EMPTY, INERTIAL, JOINT, LINK, MERGED, NOTHING, PACKAGES, PARENT, is_mark
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import VendorTags
-from sdfcheck.convert.writer import declare, undeclared_prefixes
+from sdfcheck.convert.writer import (
+    EMPTY,
+    INERTIAL,
+    JOINT,
+    LINK,
+    MERGED,
+    NOTHING,
+    PACKAGES,
+    PARENT,
+    declare,
+    is_mark,
+    undeclared_prefixes,
+)
 from sdfcheck.formats.sdf.survey import PARAMETERS
 from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.table import vendor

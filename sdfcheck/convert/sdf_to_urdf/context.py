@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from sdfcheck.convert.ledger import Ledger
+from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.options import Options
 from sdfcheck.convert.sdf_to_urdf.plan import Arrangement, Layout, Naming
+from sdfcheck.convert.writer import PACKAGES
+from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import Poses
 from sdfcheck.source.altered import Xml
+from sdfcheck.source.document import Element
+from sdfcheck.source.text import relative_path
 
 
 @dataclass(slots=True)
@@ -75,3 +81,27 @@ class Context:
         if reference not in self.blobs:
             self.blobs[reference] = Xml("gazebo", reference=reference) if reference else Xml("gazebo")
         return self.blobs[reference]
+
+
+# Uris of meshes and textures, as they lead from the URDF.
+
+
+def mesh_uri(context: Context, uri: str, element: Element) -> str:
+    """The uri to write for a file that an element of the source names.
+
+    A relative path is meant from the file that it is in, and must lead from the result.
+    """
+    package = uri.removeprefix("model://").partition("/")[0]
+    given_back = package in context.scope.element.attributes.get(PACKAGES, "").split()
+    if (context.options.package_uris or given_back) and uri.startswith("model://"):
+        written = f"package://{uri.removeprefix('model://')}"
+        context.ledger.note(
+            LossKind.CHANGED_URI, element, f"`{uri}` is written as `{written}`", Severity.INFO
+        )
+        return written
+    if "://" in uri or uri.startswith(("/", "file:")) or not uri:
+        return uri
+    here = element.document.path.parent
+    if os.path.realpath(here) == os.path.realpath(context.folder):
+        return uri
+    return Path(relative_path(here / uri, context.folder)).as_posix()

@@ -9,9 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from sdfcheck.convert.comparison import Correspondence, Counterpart
-from sdfcheck.convert.contents.of_sdf import of_model
-from sdfcheck.convert.contents.of_urdf import of_urdf
-from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.ledger import TEXT, Ledger, Words
 from sdfcheck.convert.loss import LossKind, NotConvertible, refusal
 from sdfcheck.convert.migrate.migrate import written_out
@@ -42,10 +39,10 @@ from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
 from sdfcheck.convert.sdf_to_urdf.plan import WORLD, arrange, choose, is_same, lay_out, named, others, tidy
 from sdfcheck.convert.sdf_to_urdf.shapes import DRAKE_SHAPES, HELD
 from sdfcheck.convert.sdf_to_urdf.vendor_tags import write_actuators
+from sdfcheck.convert.settings_tree import of_model, of_urdf
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends
+from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends, without_empty_shapes
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import MergedFrame, Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
@@ -55,6 +52,7 @@ from sdfcheck.robot.parts.joint import ENDLESS
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind
 
 # The elements of SDFormat that have a counterpart in URDF, and the attributes in which they say something.

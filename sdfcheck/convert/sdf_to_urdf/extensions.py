@@ -8,11 +8,10 @@ import numpy as np
 
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.old_sensors import renew
+from sdfcheck.convert.migrate.up import renew
 from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, follow_names
 from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.plan import WORLD
-from sdfcheck.convert.sdf_to_urdf.poses import is_identity, pose_text, shortened
+from sdfcheck.convert.sdf_to_urdf.plan import WORLD, is_identity, pose_text, shortened
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import MergedFrame

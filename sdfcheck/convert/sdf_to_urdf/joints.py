@@ -8,18 +8,16 @@ import numpy as np
 
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.marks import MERGED
 from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, carry_parts
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions, keep_base, keep_joint
 from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
 from sdfcheck.convert.sdf_to_urdf.options import Unsupported
-from sdfcheck.convert.sdf_to_urdf.plan import Edge
-from sdfcheck.convert.sdf_to_urdf.poses import add_origin, shortened
-from sdfcheck.convert.writer import number
+from sdfcheck.convert.sdf_to_urdf.plan import Edge, add_origin, shortened
+from sdfcheck.convert.writer import MERGED, number
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass_properties import SMALL
+from sdfcheck.robot.motion.mass import SMALL
 from sdfcheck.robot.motion.mechanism import Axis, Joint
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.joint import ENDLESS

@@ -9,7 +9,6 @@ import numpy as np
 from sdfcheck.consumers.gazebo import LEAST
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import NOTHING, SCRIPTS
 from sdfcheck.convert.sdf_to_urdf.carried import (
     carry_comments,
     carry_custom,
@@ -19,12 +18,12 @@ from sdfcheck.convert.sdf_to_urdf.carried import (
 )
 from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
-from sdfcheck.convert.sdf_to_urdf.poses import add_origin
+from sdfcheck.convert.sdf_to_urdf.plan import add_origin
 from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, merged_frame
-from sdfcheck.convert.writer import number, numbers, settled
+from sdfcheck.convert.writer import NOTHING, SCRIPTS, number, numbers, settled
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Link
 from sdfcheck.robot.motion.poses import written_pose
 from sdfcheck.robot.motion.rotations import Array, transform

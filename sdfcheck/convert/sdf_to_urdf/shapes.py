@@ -10,8 +10,8 @@ import numpy as np
 
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.carried import carry_custom
+from sdfcheck.convert.sdf_to_urdf.context import mesh_uri
 from sdfcheck.convert.sdf_to_urdf.options import Planes
-from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
 from sdfcheck.convert.writer import number, numbers
 from sdfcheck.robot.motion.mechanism import Geometry
 from sdfcheck.robot.motion.rotations import transform, z_towards

@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.plan import is_same
-from sdfcheck.convert.sdf_to_urdf.poses import shortened
-from sdfcheck.convert.sdf_to_urdf.uris import mesh_uri
+from sdfcheck.convert.sdf_to_urdf.context import Context, mesh_uri
+from sdfcheck.convert.sdf_to_urdf.plan import is_same, shortened
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
 from sdfcheck.formats.vendor.definitions import Tag
 from sdfcheck.lint.diagnostic import Severity

@@ -7,11 +7,10 @@ from dataclasses import dataclass, field
 
 from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind
-from sdfcheck.convert.marks import BLOCK, EMPTY, LINK
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import VendorTags
-from sdfcheck.convert.writer import declare, numbers, spaced, undeclared_prefixes
+from sdfcheck.convert.writer import BLOCK, EMPTY, LINK, declare, numbers, spaced, undeclared_prefixes
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats

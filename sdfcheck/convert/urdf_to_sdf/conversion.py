@@ -8,12 +8,9 @@ from typing import Any
 import numpy as np
 
 from sdfcheck.convert.comparison import Correspondence, Counterpart
-from sdfcheck.convert.contents.of_sdf import of_model
-from sdfcheck.convert.contents.of_urdf import of_urdf
-from sdfcheck.convert.empty_shapes import without_empty_shapes
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.marks import PACKAGES
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
+from sdfcheck.convert.settings_tree import of_model, of_urdf
 from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.gazebo_blocks import Extensions, FollowedNames
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
@@ -21,9 +18,14 @@ from sdfcheck.convert.urdf_to_sdf.links import Links, Materials, keep_frictions_
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import WORLD, Plan, free_joints, legal, plan
 from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
-from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends
+from sdfcheck.convert.writer import (
+    PACKAGES,
+    render,
+    undeclared_prefixes,
+    with_line_ends,
+    without_empty_shapes,
+)
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
 from sdfcheck.robot.motion.poses import PoseError, origin_of
@@ -31,6 +33,7 @@ from sdfcheck.robot.parts.control import Transmission
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment, Document, Element, Node
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind
 
 # The result, read by SDFormat's own parser, and what it is to be compared with.

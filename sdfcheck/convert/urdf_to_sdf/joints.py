@@ -7,11 +7,10 @@ import math
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.marks import JOINT, PARENT
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.plan import WORLD, is_for_drake
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.writer import number, numbers, spaced
+from sdfcheck.convert.writer import JOINT, PARENT, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mechanism import Joint
 from sdfcheck.robot.motion.poses import origin_of

@@ -8,15 +8,14 @@ import numpy as np
 
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.marks import INERTIAL
 from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
 from sdfcheck.convert.urdf_to_sdf.plan import legal
 from sdfcheck.convert.vendor_spelling import uses
-from sdfcheck.convert.writer import number, numbers, settled, spaced
+from sdfcheck.convert.writer import INERTIAL, number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.altered import Xml

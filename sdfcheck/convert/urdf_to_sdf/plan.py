@@ -11,7 +11,7 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.formats.urdf.schema import TRUE, settings
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.mass_properties import SMALL, MassProperties
+from sdfcheck.robot.motion.mass import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
 from sdfcheck.robot.motion.rotations import Array, inverse
 from sdfcheck.robot.parts.gazebo import text_of_setting

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from sdfcheck.formats import history, problems
-from sdfcheck.formats.findings import Findings, counted, folded
+from sdfcheck.formats.findings import Findings, counted, folded, judge, text_problems
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
-from sdfcheck.formats.sdf.value_problems import judge, text_problems
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value

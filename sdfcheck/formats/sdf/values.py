@@ -1,28 +1,244 @@
-"""How libsdformat reads a value, with the reason where that is not what is written.
-
-Checked against version 17 of the library: it takes the longest number from the front of
-a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silence.
-"""
+"""How libsdformat reads values, with the reason where that is not what is written."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+import re
+from collections.abc import Callable, Iterator
+from enum import Enum
 from functools import partial
 
 from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import RowInVersion
-from sdfcheck.formats.sdf.numbers import BLANKS, Width, leading_float, leading_integer
-from sdfcheck.formats.sdf.parts import (
-    in_range,
-    no_number,
-    one_number,
-    read_parts,
-    read_stream,
-    rest_cause,
-    word_at,
-)
 from sdfcheck.formats.table import Range
+from sdfcheck.source.record import NamedTuple
+
+# Numbers as the C++ library takes them from the front of a text.
+
+BLANKS = " \t\n\r\v\f"
+
+_DIGITS = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
+_HEX = r"0x(?:[0-9a-f]+(?:\.[0-9a-f]*)?|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?"
+_STRTOD = re.compile(
+    rf"(?P<hex>[+-]?{_HEX})|(?P<digits>[+-]?{_DIGITS}(?:e[+-]?[0-9]+)?)|[+-]?(?:inf(?:inity)?|nan)",
+    re.IGNORECASE,
+)
+_STREAM = re.compile(rf"(?P<digits>[+-]?{_DIGITS}(?:[eE][+-]?[0-9]*)?)")
+_INTEGER = re.compile(r"[+-]?[0-9]+")
+_WHOLE_HEX = re.compile(r"0[xX][0-9a-fA-F]+")
+_NOT_ZERO = re.compile(r"[+-]?[0.]*[1-9]")
+_LONGEST = 40
+
+
+class Width(Enum):
+    """Floating point types: the largest number without overflow, the smallest without underflow."""
+
+    DOUBLE = (1.7976931348623157e308, 2.2250738585072014e-308)
+    SINGLE = (3.4028235677973362e38, 1.1754943508222875e-38)
+
+
+class Number(NamedTuple):
+    """A number at the front of a text: its value and where it ends."""
+
+    value: float
+    end: int
+    is_hexadecimal: bool = False
+    too_large: bool = False
+    too_small: bool = False
+    """Not zero, but too near to zero for its type."""
+
+    @property
+    def is_special(self) -> bool:
+        """Whether infinity or nan was written."""
+        return not math.isfinite(self.value) and not self.too_large
+
+    @property
+    def plain(self) -> str:
+        """The value as people write it."""
+        return "0" if self.too_small else repr(self.value).removesuffix(".0")
+
+
+def leading_float(text: str, start: int = 0, width: Width = Width.DOUBLE) -> Number | None:
+    """The texts that strtod takes: infinity, nan and hexadecimal included. None when there is no number."""
+    match = _STRTOD.match(text, start)
+    if match is None:
+        return None
+    if match["digits"]:
+        return _number(match, width)
+    if match["hex"]:
+        return Number(_from_hex(match["hex"]), match.end(), is_hexadecimal=True)
+    return Number(float(match[0]), match.end())
+
+
+def stream_float(text: str, start: int) -> Number | None:
+    """The texts that an input stream takes: not infinity, nan, hexadecimal or a bare exponent."""
+    match = _STREAM.match(text, start)
+    if match is None or match[0][-1] in "eE+-":
+        return None
+    return _number(match, Width.DOUBLE)
+
+
+def leading_integer(text: str) -> tuple[int, int] | None:
+    """The texts that stoi takes: decimal, or hexadecimal without a sign; the value and where it ends."""
+    if match := _WHOLE_HEX.match(text):
+        return _to_int(match[0], 16), match.end()
+    if match := _INTEGER.match(text):
+        return _to_int(match[0], 10), match.end()
+    return None
+
+
+def stream_integer(text: str, start: int) -> Number | None:
+    """A decimal whole number of 32 bits, as an input stream takes it."""
+    match = _INTEGER.match(text, start)
+    if match is None:
+        return None
+    value = _to_int(match[0], 10)
+    return Number(float(value), match.end(), too_large=not -(2**31) <= value < 2**31)
+
+
+def _to_int(digits: str, base: int) -> int:
+    # Python refuses to convert thousands of digits; the first forty are as much out of range.
+    return int(digits[:_LONGEST], base)
+
+
+def _number(match: re.Match[str], width: Width) -> Number:
+    value = float(match["digits"])
+    largest, smallest = width.value
+    too_small = abs(value) < smallest and _NOT_ZERO.match(match["digits"]) is not None
+    return Number(value, match.end(), too_large=abs(value) > largest, too_small=too_small)
+
+
+def _from_hex(text: str) -> float:
+    try:
+        return float.fromhex(text)
+    except OverflowError:
+        return math.inf
+
+
+# Judging the parts of a value: words between spaces that should be numbers.
+
+SHARE = Range(0.0, 1.0)
+
+_WORD = re.compile(rf"[^{BLANKS}]+")
+_REST = {",": Cause.COMMA, "x": Cause.HEXADECIMAL, "X": Cause.HEXADECIMAL}
+_WHOLE_REST = {**_REST, ".": Cause.FRACTION, "e": Cause.EXPONENT, "E": Cause.EXPONENT}
+
+
+def words(text: str) -> Iterator[tuple[int, int]]:
+    """Start and end of every part between spaces."""
+    return (match.span() for match in _WORD.finditer(text))
+
+
+def word_at(text: str, position: int) -> tuple[int, int]:
+    """The part around a position that is not blank."""
+    start = max(text.rfind(blank, 0, position) for blank in BLANKS) + 1
+    match = _WORD.match(text, start)
+    return match.span() if match else (position, len(text))
+
+
+def no_number(text: str, start: int, end: int, whole: bool = False) -> Reading:
+    """A part that no number begins, or in which one does not end where it should."""
+    if "${" in text or "$(" in text:
+        return malformed(0, len(text), Cause.EXPRESSION)
+    number = leading_float(text, start)
+    cause = Cause.NOT_A_NUMBER
+    if number is not None and number.end < end:
+        cause = rest_cause(text[number.end], whole=False)
+    elif number is not None:
+        cause = Cause.NOT_FINITE if number.is_special else Cause.HEXADECIMAL
+        if whole and not number.is_special and not number.is_hexadecimal:
+            cause = Cause.FRACTION
+    return malformed(start, end, Cause.NOT_A_NUMBER if cause is Cause.TRAILING else cause)
+
+
+def rest_cause(first: str, whole: bool) -> Cause:
+    """The fault, by the first character after the number."""
+    return (_WHOLE_REST if whole else _REST).get(first, Cause.TRAILING)
+
+
+def one_number(text: str, start: int, end: int, number: Number) -> Reading:
+    """A part that begins with a number, out of which strtod would take it."""
+    if number.too_large or number.too_small:
+        return malformed(start, end, Cause.TOO_LARGE if number.too_large else Cause.TOO_SMALL)
+    if number.end < end:
+        return misread(start, end, rest_cause(text[number.end], whole=False), number.plain)
+    if number.is_hexadecimal:
+        return misread(start, end, Cause.HEXADECIMAL, number.plain)
+    if number.is_special:
+        return Reading(Outcome.NOT_FINITE, start, end, Cause.NOT_FINITE)
+    return AS_WRITTEN
+
+
+def in_range(value: float, bounds: Range | None, start: int, end: int) -> Reading:
+    if bounds is None or bounds.holds(value):
+        return AS_WRITTEN
+    return Reading(Outcome.OUT_OF_RANGE, start, end, refused=bounds.refused, range=bounds)
+
+
+def read_stream(text: str, count: int, whole: bool, bounds: Range | None) -> Reading:
+    """Numbers taken one after the other, with or without spaces between; what is left over is ignored."""
+    position, worst = 0, AS_WRITTEN
+    for index in range(count):
+        blank = len(text) - len(text[position:].lstrip(BLANKS))
+        if blank == len(text):
+            return Reading(Outcome.WRONG_COUNT, 0, len(text), refused=True, wanted=(count,), got=index)
+        number = stream_integer(text, blank) if whole else stream_float(text, blank)
+        start, end = word_at(text, blank)
+        if number is None:
+            return no_number(text, start, end, whole)
+        if number.too_large:
+            return malformed(start, end, Cause.TOO_LARGE)
+        if worst.is_fine:
+            worst = _stream_part(text, (start, end), number, whole, last=index == count - 1)
+        if worst.is_fine:
+            worst = in_range(number.value, bounds, start, end)
+        position = number.end
+    extra = [part for part in words(text) if part[0] >= position]
+    if extra and worst.is_fine:
+        return Reading(Outcome.WRONG_COUNT, extra[0][0], len(text), wanted=(count,), got=count + len(extra))
+    return worst
+
+
+def _stream_part(text: str, part: tuple[int, int], number: Number, whole: bool, last: bool) -> Reading:
+    start, end = part
+    if number.end < end:
+        cause = rest_cause(text[number.end], whole) if last else Cause.GLUED
+        return misread(start, end, cause, number.plain)
+    return misread(start, end, Cause.TOO_SMALL, "0") if number.too_small else AS_WRITTEN
+
+
+def read_parts(text: str, wanted: tuple[int, ...], width: Width) -> Reading:
+    """The parts of a pose (double) or a color (single): each is taken from the front of its word."""
+    worst = AS_WRITTEN
+    parts = list(words(text))
+    for start, end in parts:
+        number = leading_float(text, start, width)
+        if number is None:
+            return no_number(text, start, end)
+        reading = one_number(text, start, end, number)
+        if reading.outcome is Outcome.MALFORMED:
+            return reading
+        if number.is_special:
+            if width is Width.DOUBLE or number.value == number.value:
+                return malformed(start, end, Cause.NOT_FINITE)
+            reading = misread(start, end, Cause.NOT_FINITE, "0")
+        if reading.is_fine and width is Width.SINGLE:
+            reading = in_range(number.value, SHARE, start, end)
+        if worst.is_fine:
+            worst = reading
+    if len(parts) in wanted:
+        return worst
+    if worst.cause is Cause.COMMA:
+        return malformed(worst.start, worst.end, Cause.COMMA)
+    start = parts[wanted[-1]][0] if len(parts) > wanted[-1] else 0
+    return Reading(Outcome.WRONG_COUNT, start, len(text), refused=True, wanted=wanted, got=len(parts))
+
+
+# How libsdformat reads a value, with the reason where that is not what is written.
+#
+# Checked against version 17 of the library: it takes the longest number from the front of
+# a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silence.
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))

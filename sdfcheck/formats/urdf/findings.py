@@ -1,4 +1,4 @@
-"""Why something does not fit URDF's table: the explaining side of the walk."""
+"""Why something does not fit URDF's table, and which element or attribute was meant."""
 
 from __future__ import annotations
 
@@ -8,20 +8,80 @@ from functools import cache
 from math import isfinite
 
 from sdfcheck.formats import history, problems
-from sdfcheck.formats.findings import MOST, Findings, folded
+from sdfcheck.formats.findings import MOST, Findings, blanks_as_spaces, folded, problem_of
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf.numbers import BLANKS, stream_float
-from sdfcheck.formats.sdf.parts import no_number
-from sdfcheck.formats.sdf.text_pieces import blanks_as_spaces
-from sdfcheck.formats.sdf.value_problems import problem_of
+from sdfcheck.formats.sdf.values import BLANKS, no_number, stream_float
 from sdfcheck.formats.table import Range
-from sdfcheck.formats.urdf.misspellings import meant_attribute, meant_child
-from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents
+from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents, urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.text import is_expression
+
+# The meaning of misspelled elements and attributes of URDF, among those that are missing beside them.
+
+
+def misspells(element: Element, name: str) -> bool:
+    """Is there a misspelled attribute or child element that means one of this name?"""
+    place = definition(element)
+    if place is None:
+        return False
+    attributes = (meant_attribute(element, key, place) for key in element.attributes)
+    children = (meant_child(child, place) for child in element.children())
+    return name in attributes or name in children
+
+
+def definition(element: Element) -> Definition | None:
+    """The definition of an element by its place in the document; None where URDF has no such element.
+
+    In a macro of xacro it is that of the first place where such an element may be.
+    """
+    path: list[str] = []
+    at: Element | None = element
+    while (
+        at is not None and not at.name.startswith("xacro:") and (at.name != "robot" or at.parent is not None)
+    ):
+        path.append(at.name)
+        at = at.parent
+    steps = "/".join(reversed(path))
+    found = urdf().at(steps)
+    if found is None and at is not None and at.name != "robot":
+        found = next(filter(None, (place.at(steps) for place in _places())), None)
+    return found
+
+
+@cache
+def _places() -> tuple[Definition, ...]:
+    """All definitions, from the outside in."""
+    places = [urdf()]
+    for place in places:
+        places += place.children.values()
+    return tuple(places)
+
+
+def meant_child(child: Element, place: Definition) -> str | None:
+    """The name that an unknown element was probably meant to have, among those that its parent lacks."""
+    name = child.name
+    if name in place.children or child.parent is None:
+        return None
+    siblings = {sibling.name for sibling in child.parent.children()}
+    near = suggest(name, [n for n, each in place.children.items() if n not in siblings or not each.single])
+    if near is None or not known_parents(name):
+        return near
+    # An element that has its place elsewhere, and holds what it holds there, is misplaced.
+    content = {each.name for each in child.children()}
+    return near if not content or content & place.children[near].children.keys() else None
+
+
+def meant_attribute(element: Element, name: str, place: Definition) -> str | None:
+    """The name that an unknown attribute was probably meant to have, among those that are missing."""
+    if name in place.attributes:
+        return None
+    return suggest(name, [each for each in place.attributes if each not in element.attributes])
+
+
+# Why something does not fit URDF's table: the explaining side of the walk.
 
 # How urdfdom reads a value, with the reason where that is not what is written.
 #

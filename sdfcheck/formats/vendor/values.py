@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from sdfcheck.formats.sdf.numbers import leading_float, stream_float
-from sdfcheck.formats.sdf.parts import words
+from sdfcheck.formats.sdf.values import leading_float, stream_float, words
 from sdfcheck.formats.vendor.definitions import REFUSED, Effect, Outcome, Slot
 from sdfcheck.source.record import NamedTuple
 

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.regular import MEGABYTE, read_named
 from sdfcheck.lint.config.settings import UNSET, ConfigFile, Settings
-from sdfcheck.source.relative import shown
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.text import shown
 
 if TYPE_CHECKING:
     _Loaded = tuple[dict[str, Any], tuple[ConfigFile, ...]]

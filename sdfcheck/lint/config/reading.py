@@ -21,8 +21,8 @@ from sdfcheck.lint.config.settings import (
     Shape,
 )
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.relative import shown
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.text import shown
 
 _MOST_MEGABYTES = 1e9
 

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 from sdfcheck.files.library import SearchPaths
 from sdfcheck.files.regular import MEGABYTE, SIZE_LIMIT, Configured
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.relative import relative_path, shown
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.text import relative_path, shown
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -220,7 +220,7 @@ class Settings(NamedTuple):
         """The tables of vendors' own elements that the plugins bring."""
         if not self.plugins:
             return ()
-        from sdfcheck.lint.rulebook.plugins.find import tables_of
+        from sdfcheck.lint.rulebook.plugins import tables_of
 
         return tables_of(self.plugins)
 

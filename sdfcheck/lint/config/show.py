@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.lint.config.settings import FIELDS, ArgumentSet, Pattern, Settings
-from sdfcheck.source.relative import shown
+from sdfcheck.source.text import shown
 
 
 def render(settings: Settings) -> str:

@@ -17,8 +17,8 @@ from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import is_below, read_regular
 from sdfcheck.lint.config.reading import parse_toml
 from sdfcheck.lint.config.settings import ConfigFile
-from sdfcheck.source.relative import shown
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.text import shown
 
 KEY = "trusted"
 """The key of a person's own configuration: folders whose configurations are trusted."""

@@ -10,14 +10,13 @@ from pathlib import Path
 
 from sdfcheck.consumers.reaction import ON_REQUEST, Consumer
 from sdfcheck.lint.config.settings import Settings
-from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity, named
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import Options, find, selected
-from sdfcheck.lint.suppress.directives import comments, touched
-from sdfcheck.lint.wording import named
+from sdfcheck.lint.suppress.suppression import comments, touched
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind, sniff

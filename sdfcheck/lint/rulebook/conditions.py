@@ -17,7 +17,7 @@ from pathlib import Path
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.index import keep
 from sdfcheck.lint.rulebook.pack import CONDITIONS, Pack, PackError, rule_classes
-from sdfcheck.lint.rulebook.plugins.load import import_pack
+from sdfcheck.lint.rulebook.plugins import import_pack
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
 

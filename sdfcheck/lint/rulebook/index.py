@@ -7,8 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from sdfcheck.lint.rulebook.pack import INDEX, Pack, PackError, describe, to_record
-from sdfcheck.lint.rulebook.plugins.find import find_pack
-from sdfcheck.lint.rulebook.plugins.load import load_rules
+from sdfcheck.lint.rulebook.plugins import find_pack, load_rules
 from sdfcheck.lint.run import BUILT_IN
 
 _HEAD = '''"""What can be known of the rules without importing them; written by ``make generate``."""

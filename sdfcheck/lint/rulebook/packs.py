@@ -71,7 +71,7 @@ def _rule(facts: RuleFacts) -> Rule:
         raise LookupError(f"{facts.module} has no rule {facts.code}: write the index of its pack again")
     rule = found()
     if not facts.is_built_in:
-        from sdfcheck.lint.rulebook.plugins.call import guard
+        from sdfcheck.lint.rulebook.plugins import guard
 
         guard(rule)
     return rule
@@ -86,7 +86,7 @@ def load_index(plugins: Sequence[str | Path] = ()) -> RuleIndex:
     facts = read_index(BUILT_IN)
     if not plugins:
         return RuleIndex(facts, conditions=(f"{BUILT_IN}.{CONDITIONS}",))
-    from sdfcheck.lint.rulebook.plugins.load import load_plugins
+    from sdfcheck.lint.rulebook.plugins import load_plugins
 
     loaded = load_plugins(plugins, facts)
     conditions = (f"{BUILT_IN}.{CONDITIONS}", *loaded.conditions)

@@ -32,8 +32,7 @@ from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.rule import Rule
-from sdfcheck.lint.rulebook.plugins.find import find_pack
-from sdfcheck.lint.rulebook.plugins.load import load_rules
+from sdfcheck.lint.rulebook.plugins import find_pack, load_rules
 from sdfcheck.lint.run import BUILT_IN
 from sdfcheck.lint.session import Options, run
 from sdfcheck.lint.targets import matrix

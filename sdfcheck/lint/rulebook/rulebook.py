@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules, UnknownSelector, covered, select, without
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.engine import Dispatch

@@ -12,14 +12,13 @@ from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro
 from sdfcheck.lint.example import Bad, Good, fill, unmark
 from sdfcheck.lint.fix import Fix
+from sdfcheck.lint.one_file import lint_source
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import CONDITIONS
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
-from sdfcheck.lint.rulebook.plugins.load import load_plugins
-from sdfcheck.lint.rulebook.plugins.place import places_of_examples
+from sdfcheck.lint.rulebook.plugins import load_plugins, places_of_examples
 from sdfcheck.lint.run import BUILT_IN, RuleFacts
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.lint.source_file import lint_source
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span
 from sdfcheck.xacro.expansion import Expander

@@ -8,10 +8,9 @@ from typing import Any, ClassVar
 from sdfcheck.consumers.reaction import Consumer, by_effect
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcome
-from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity, named
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.rule import Rule, Target, make_fix, rename, write_instead
-from sdfcheck.lint.wording import named
 from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
 
 _FAULTS = {

@@ -16,7 +16,8 @@ from sdfcheck.lint.one_file import Selected
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts, Run
 from sdfcheck.lint.session import Options, find, selected
-from sdfcheck.lint.suppress.directives import (
+from sdfcheck.lint.suppress.rules import FACTS
+from sdfcheck.lint.suppress.suppression import (
     IGNORE,
     IGNORE_FILE,
     Directive,
@@ -25,7 +26,6 @@ from sdfcheck.lint.suppress.directives import (
     is_include,
     reach,
 )
-from sdfcheck.lint.suppress.rules import FACTS
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span

@@ -9,9 +9,9 @@ from pathlib import Path
 from sdfcheck.files.regular import MEGABYTE, read_named
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.relative import relative_path
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.text import relative_path
 
 VERSION = 1
 LARGEST = 64 * MEGABYTE

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from sdfcheck.formats import usual
+from sdfcheck.formats import near_names as usual
 from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.formats.vendor.table import vendors
 from sdfcheck.formats.version import NEWEST, Version

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 
-from sdfcheck.formats import usual
+from sdfcheck.formats import near_names as usual
 from sdfcheck.lsp.completion.context import Context, Where
 
 AROUND = 40_000

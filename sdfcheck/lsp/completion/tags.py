@@ -7,13 +7,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sdfcheck.files.packages import Packages
 from sdfcheck.formats import plugins, srdf
-from sdfcheck.formats.describe.spot import Spot, spot
+from sdfcheck.formats.describe import Spot, spot
 from sdfcheck.formats.schema import Definition, RowInVersion
 from sdfcheck.formats.vendor.definitions import Place, Slot, Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context
-from sdfcheck.lsp.completion.item import Item, Sort
-from sdfcheck.lsp.completion.snippets import Snippet, plain
+from sdfcheck.lsp.completion.item import Item, Snippet, Sort, plain
 from sdfcheck.xacro.language import KEYWORDS, OPTIONAL, REQUIRED, Parameter, is_literal, parameters
 from sdfcheck.xacro.static.definitions import Definitions
 from sdfcheck.xacro.static.project import FILE_LIMIT, text_of

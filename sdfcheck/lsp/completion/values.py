@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from sdfcheck.formats import srdf
-from sdfcheck.formats.describe.spot import spot
+from sdfcheck.formats.describe import spot
 from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
-from sdfcheck.lsp.completion.item import Item, Sort
-from sdfcheck.lsp.completion.snippets import plain
+from sdfcheck.lsp.completion.item import Item, Sort, plain
 from sdfcheck.lsp.completion.tags import slots_at
 
 _INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")

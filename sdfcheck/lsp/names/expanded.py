@@ -8,9 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from sdfcheck.files.library import library_of
 from sdfcheck.lsp.workspace import LiveExpander, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, robot_names
-from sdfcheck.robot.semantics.occurrences import semantic_names
-from sdfcheck.robot.semantics.robots import Assistants
-from sdfcheck.robot.semantics.semantics import semantics_in
+from sdfcheck.robot.semantics import Assistants, semantic_names, semantics_in
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff

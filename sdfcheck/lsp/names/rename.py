@@ -15,9 +15,8 @@ from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, name_refusal, 
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import IN_QUOTES, Span, escape
 from sdfcheck.xacro.language import BUILT_IN, KEYWORDS
 from sdfcheck.xacro.static.definitions import Definitions, Macro, visible_definitions
 

@@ -24,13 +24,12 @@ from sdfcheck.lsp.names.xacro_names import namings
 from sdfcheck.lsp.workspace import LiveExpander, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence, name_refusal
 from sdfcheck.source.document import Document, Element
-from sdfcheck.source.references import IN_QUOTES, escape
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.source.text import IN_QUOTES, Source, Span, Step, escape
 from sdfcheck.xacro.language import is_literal, matches
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.static.definitions import visible_definitions
-from sdfcheck.xacro.value_sources import giver_of
+from sdfcheck.xacro.static.reasons import giver_of
 
 _NODES = ("link", "joint", "frame", "model")
 _DEEPEST = 8

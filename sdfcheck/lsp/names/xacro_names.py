@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.formats.srdf import references
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
-from sdfcheck.robot.semantics.occurrences import own_kind
+from sdfcheck.robot.semantics import own_kind
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span

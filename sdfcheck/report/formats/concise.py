@@ -21,7 +21,7 @@ def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
     if len(shown) > len(lines):
         lines.append(f"{len(shown) - len(lines)} more not shown")
     if missing := view.missing(run):
-        from sdfcheck.report.not_found import not_found
+        from sdfcheck.report.digest import not_found
 
         lines += not_found(missing, paths, paint)
     return "\n".join([*lines, closing_line(run, view)]) + "\n"

@@ -19,7 +19,7 @@ def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
     text = "\n\n".join([*_blocks(run, view, color), closing_line(run, view)]) + "\n"
     if view.width is None:
         return text
-    from sdfcheck.report.fit import fitted
+    from sdfcheck.report.table import fitted
 
     return fitted(text, view.width)
 
@@ -36,8 +36,8 @@ def _blocks(run: Run, view: View, color: bool) -> Iterator[str]:
     shown = digest(run, view)
 
     def blocks(groups: Iterator[Group]) -> Iterator[str]:
-        from sdfcheck.report.block import Style, block
         from sdfcheck.report.digest import others_of
+        from sdfcheck.report.frame import Style, block
 
         style = Style(paths, paint, view.width)
         for group in groups:
@@ -58,7 +58,7 @@ def _blocks(run: Run, view: View, color: bool) -> Iterator[str]:
         found.append(f"{left} more not shown: see them with --no-fold, or one rule with --select CODE.")
     yield from found
     if missing := view.missing(run):
-        from sdfcheck.report.not_found import not_found
+        from sdfcheck.report.digest import not_found
 
         yield "\n".join(not_found(missing, paths, paint))
 

@@ -14,10 +14,10 @@ from sdfcheck.report.overview import overview
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
 from sdfcheck.source.visible import visible
-from sdfcheck.view.sealed import Assets, sealed
+from sdfcheck.view.page import Assets, sealed
 
 if TYPE_CHECKING:
-    from sdfcheck.report.robots import Robot
+    from sdfcheck.report.content import Robot
 
 MOST_ROBOTS = 20
 """Reports of more files show no robots."""
@@ -45,8 +45,7 @@ def render(run: Run, robots: Sequence[Robot] = ()) -> str:
     data = Content(run).as_json() | {"robots": shown, "mostRobots": MOST_ROBOTS}
     if not robots:
         return sealed("sdfcheck report", body, data, Assets(style, script))
-    from sdfcheck.view.page import assets
-    from sdfcheck.view.sealed import as_data, split
+    from sdfcheck.view.page import as_data, assets, split
 
     before, _, after = split(robots[0].page)
     more = {"viewer": as_data([before, after])}

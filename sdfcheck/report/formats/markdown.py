@@ -8,12 +8,10 @@ from html import escape
 from pathlib import Path
 
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity, counted
 from sdfcheck.lint.run import Run
-from sdfcheck.lint.wording import counted
 from sdfcheck.report.colors import painter
-from sdfcheck.report.digest import digest, files_of, gravest_first
-from sdfcheck.report.not_found import not_found
+from sdfcheck.report.digest import digest, files_of, gravest_first, not_found
 from sdfcheck.report.overview import Section, sections
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import View, closing_line

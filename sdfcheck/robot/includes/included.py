@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.formats import history
+from sdfcheck.formats.findings import text_problems
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import MisplacedElement, UnknownAttribute
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
-from sdfcheck.formats.sdf.value_problems import text_problems
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.values import is_true

@@ -5,8 +5,8 @@ from __future__ import annotations
 from sdfcheck.robot.graph import DEEPEST, MOST_MODELS
 from sdfcheck.robot.includes.included import included, includes_of
 from sdfcheck.source.document import Document
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 class TooManyModels(WrongUsage):

@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.bodies.box import Box, around, of_points
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import Origin, numbers_of, origin_in, pose_in
 from sdfcheck.robot.values import reference_of
+from sdfcheck.source.errors import DescriptionError
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model, Part

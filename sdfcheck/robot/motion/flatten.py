@@ -8,7 +8,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Node
 from sdfcheck.robot.motion import mechanism
 from sdfcheck.robot.motion.mass import of_link
@@ -20,6 +19,7 @@ from sdfcheck.robot.parts.joint import Axis, Joint
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.values import Number
 from sdfcheck.source.document import Element
+from sdfcheck.source.errors import DescriptionError
 
 # Joints that only one simulator knows: ``drake:joint``.
 

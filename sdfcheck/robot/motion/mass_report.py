@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.robot.parts.link import Link
+from sdfcheck.source.errors import DescriptionError
 
 if TYPE_CHECKING:
     from sdfcheck.robot.root import Root

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from sdfcheck.robot.motion.mass_properties import MassProperties
+from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.rotations import Array
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple

@@ -10,9 +10,9 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, TypeAlias, cast
 
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.parts.solids import Moments
 from sdfcheck.source.document import Element
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from sdfcheck.robot.errors import DescriptionError
 from sdfcheck.robot.motion.origin import origin_in, pose_in
 from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy, transform
 from sdfcheck.robot.values import reference_of
+from sdfcheck.source.errors import DescriptionError
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model, Node, Part, Scope

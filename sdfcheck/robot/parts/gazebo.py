@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.urdf.schema import TRUE, all_settings, settings
 from sdfcheck.robot.graph import Model, Node, Part
-from sdfcheck.robot.reserved import NODES
+from sdfcheck.robot.naming.name import NODES
 from sdfcheck.robot.values import lazy, parts
 from sdfcheck.source.document import Element
 from sdfcheck.source.text import is_expression

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.graph import Node, Part
-from sdfcheck.robot.reserved import MODEL_FRAME
+from sdfcheck.robot.naming.name import MODEL_FRAME
 from sdfcheck.robot.values import Number, Vector, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -425,7 +425,7 @@ class Joint(Node):
     @property
     def counterparts(self) -> tuple[Joint, ...]:
         """The other joints of its model whose names differ only by the side: those of the other wheels or legs."""
-        from sdfcheck.robot.naming.sides import without_sides
+        from sdfcheck.robot.naming.name import without_sides
 
         key = without_sides(self.name)
         if key == self.name or self.model is None:
@@ -436,7 +436,7 @@ class Joint(Node):
     @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
-        from sdfcheck.robot.naming.sides import mirrored
+        from sdfcheck.robot.naming.name import mirrored
 
         name = mirrored(self.name)
         return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
@@ -454,8 +454,8 @@ class Joint(Node):
     @lazy
     def at_rest(self) -> Origin | None:
         """Its pose in its model with all joints at zero, in plain numbers; None where that is not known."""
-        from sdfcheck.robot.errors import DescriptionError
         from sdfcheck.robot.motion.origin import in_model
+        from sdfcheck.source.errors import DescriptionError
 
         try:
             return in_model(self)

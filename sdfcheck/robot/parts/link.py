@@ -17,7 +17,7 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.robot.graph import Model
-    from sdfcheck.robot.motion.mass_properties import MassProperties
+    from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Origin
     from sdfcheck.robot.motion.rotations import Array
     from sdfcheck.robot.parts.gazebo import GazeboBlock
@@ -541,7 +541,7 @@ class Link(Node):
     @property
     def counterparts(self) -> tuple[Link, ...]:
         """The other links of its model whose names differ only by the side: those of the other wheels or legs."""
-        from sdfcheck.robot.naming.sides import without_sides
+        from sdfcheck.robot.naming.name import without_sides
 
         key = without_sides(self.name)
         if key == self.name:

@@ -314,8 +314,8 @@ class Shape(Part):
     @property
     def along(self) -> tuple[float, float, float] | None:
         """The direction of its z axis in its link's frame; None where that cannot be worked out."""
-        from sdfcheck.robot.errors import DescriptionError
         from sdfcheck.robot.motion.bounds import placement_of
+        from sdfcheck.source.errors import DescriptionError
 
         try:
             return placement_of(self, self.link).turned((0.0, 0.0, 1.0))

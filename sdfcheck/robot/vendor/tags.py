@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 from pathlib import Path
 
+from sdfcheck.formats.findings import part
 from sdfcheck.formats.near_names import nearest, suggest
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.sdf.text_pieces import part
 from sdfcheck.formats.vendor.definitions import (
     IGNORED,
     REFUSED,
@@ -27,7 +27,7 @@ from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import Misreading, expected_of, misreading, out_of_range
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Scope
-from sdfcheck.robot.reserved import MODEL_FRAME
+from sdfcheck.robot.naming.name import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import lazy
 from sdfcheck.robot.vendor import relations

@@ -6,7 +6,7 @@ import re
 import sys
 from bisect import bisect_left
 
-from sdfcheck.source.limits import ATTRIBUTE_LIMIT, LENGTH_LIMIT
+from sdfcheck.source.decode import ATTRIBUTE_LIMIT, LENGTH_LIMIT
 from sdfcheck.source.problems import Problem, SyntaxDefect, SyntaxKind, UnknownEntity
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.pairing import pair
@@ -20,9 +20,8 @@ from sdfcheck.source.scanner.start_tag import (
     repeated_attributes,
     tag_of,
 )
-from sdfcheck.source.scanner.steps import Act, Step
 from sdfcheck.source.scanner.tokenizer import tokenize
-from sdfcheck.source.scanner.tokens import Token, TokenKind, Tokens
+from sdfcheck.source.scanner.tokens import Act, Step, Token, TokenKind, Tokens
 from sdfcheck.source.text import Source, Span
 
 # A text without what no markup can be made of; all else stays in its place.

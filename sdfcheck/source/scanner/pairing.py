@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from sdfcheck.source.limits import DEPTH_LIMIT
+from sdfcheck.source.decode import DEPTH_LIMIT
 from sdfcheck.source.problems import (
     ContentAfterRoot,
     LateDeclaration,
@@ -16,8 +16,17 @@ from sdfcheck.source.problems import (
 )
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.start_tag import BARE_START, tag_of
-from sdfcheck.source.scanner.steps import Act, Pairs, Step
-from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, first_line, name_range
+from sdfcheck.source.scanner.tokens import (
+    DEFECT_LIMIT,
+    Act,
+    Pairs,
+    Step,
+    Token,
+    TokenKind,
+    Tokens,
+    first_line,
+    name_range,
+)
 from sdfcheck.source.text import Source, Span
 
 # Evidence for what went wrong where start and end tags do not match.

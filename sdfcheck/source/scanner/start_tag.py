@@ -6,7 +6,7 @@ import re
 from functools import cache
 from itertools import islice
 
-from sdfcheck.source.limits import ATTRIBUTE_LIMIT
+from sdfcheck.source.decode import ATTRIBUTE_LIMIT
 from sdfcheck.source.problems import Problem, RepeatedAttribute
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source

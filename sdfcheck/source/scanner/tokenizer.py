@@ -5,11 +5,15 @@ from __future__ import annotations
 import re
 
 from sdfcheck.source.problems import DocumentType, Problem, SyntaxDefect, SyntaxKind
-from sdfcheck.source.scanner.broken_tag import parse_broken_tag
-from sdfcheck.source.scanner.hyphens import hyphens
-from sdfcheck.source.scanner.misspelt_ends import comment_end, find_inner_comment, line_end, section_end
+from sdfcheck.source.scanner.broken_tag import (
+    comment_end,
+    find_inner_comment,
+    line_end,
+    parse_broken_tag,
+    section_end,
+)
 from sdfcheck.source.scanner.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
-from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens
+from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, hyphens
 from sdfcheck.source.text import Source
 
 # XML declarations and other instructions: whether they are well formed.

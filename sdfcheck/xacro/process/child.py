@@ -25,11 +25,11 @@ from xacro import substitution_args
 
 from sdfcheck.files.packages import Packages
 from sdfcheck.xacro.language import ArgumentParser
-from sdfcheck.xacro.process import failure, sandbox, walls
+from sdfcheck.xacro.process import failure, walls
+from sdfcheck.xacro.process import walls as sandbox
 from sdfcheck.xacro.process.interpreter import Interpreter, TooMuch
-from sdfcheck.xacro.process.nodes import Children
 from sdfcheck.xacro.process.placeholders import MARK, Cautious, Perseverance
-from sdfcheck.xacro.process.trace import KEY, Crumbs, Step, Tracer
+from sdfcheck.xacro.process.trace import KEY, Children, Crumbs, Step, Tracer
 
 RECURSION_LIMIT = 3000
 """Above Python's own, since following xacro and evaluating its expressions take frames too."""

@@ -10,7 +10,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
-from sdfcheck.source.wrong_usage import REPORT_IT, WrongUsage
+from sdfcheck.source.errors import REPORT_IT, WrongUsage
 from sdfcheck.xacro.process.watch import Limits, Watch, is_needed
 
 if TYPE_CHECKING:

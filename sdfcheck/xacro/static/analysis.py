@@ -58,8 +58,7 @@ from sdfcheck.xacro.static.definitions import (
     texts,
     visible_definitions,
 )
-from sdfcheck.xacro.static.likely_mistakes import oversights, parameter_place
-from sdfcheck.xacro.static.prefixes import missing_prefixes
+from sdfcheck.xacro.static.likely_mistakes import missing_prefixes, oversights, parameter_place
 from sdfcheck.xacro.static.project import includers, is_included, is_whole, project_names
 
 # Expressions that are wrong whatever the values: recognized by the text alone.

@@ -1,18 +1,18 @@
-"""All that a xacro file can see: its own definitions, calls and includes, and those of what it includes."""
+"""All that a xacro file can see: its own definitions, calls, includes and arguments, and those of what it includes."""
 
 from __future__ import annotations
 
 import ast
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import lru_cache
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.source.document import Document, Element
-from sdfcheck.source.record import Record
+from sdfcheck.source.record import NamedTuple, Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
@@ -30,8 +30,10 @@ from sdfcheck.xacro.language import (
     substitutions,
     syntax_tree,
 )
-from sdfcheck.xacro.problems import IgnoredIncludeContent, WrongXacroAttribute
+from sdfcheck.xacro.problems import ExpansionFailure, Failure, IgnoredIncludeContent, WrongXacroAttribute
 from sdfcheck.xacro.static.project import is_included
+
+# All that a xacro file can see: its own definitions, calls and includes, and those of what it includes.
 
 # The elements of the xacro language, also where they are misspelled.
 
@@ -582,3 +584,54 @@ def knows_all(document: Document) -> bool:
 
 def _knows_all(document: Document) -> bool:
     return is_robot(document) and not visible_definitions(document).is_open and not is_included(document)
+
+
+# The arguments that a xacro file takes, and those that it lacks.
+
+_ASKED = re.compile(r"arg\s+([^\s${}]+)\s*$")
+_CALLED = re.compile(r"\barg\(\s*['\"]([^'\"]+)['\"]\s*\)")
+
+
+class Taken(NamedTuple):
+    """The arguments that a file declares or asks for; ``is_complete``: it takes no others."""
+
+    names: frozenset[str]
+    is_complete: bool
+
+
+def taken_arguments(document: Document) -> Taken:
+    """The arguments that a file takes, itself and in what it includes."""
+    visible = visible_definitions(document)
+    names = {name for read in visible.readings for name in read.arguments}
+    for read in visible.readings:
+        names.update(match[1] for command in read.commands if (match := _ASKED.match(command.text)))
+        names.update(name for found in read.expressions for name in _CALLED.findall(found.code))
+    return Taken(frozenset(names), not visible.is_open)
+
+
+def missing_arguments(document: Document, given: Collection[str]) -> Iterator[ExpansionFailure]:
+    """The first use of each argument that an expansion asks for and nobody gives a value."""
+    visible = visible_definitions(document)
+    known = {*given, *(name for read in visible.readings for name in read.arguments)}
+    for read in visible.readings:
+        if read.document in visible.conditional:
+            continue
+        for command in read.commands:
+            match = _ASKED.match(command.text)
+            if match and match[1] not in known and _is_asked(command, visible):
+                known.add(match[1])
+                whole = f"$({command.text})"
+                span = place(command.element, command.attribute, whole)
+                yield ExpansionFailure(span, Failure.ARGUMENT, match[1], whole)
+
+
+def _is_asked(command: Command, visible: Definitions) -> bool:
+    """Whether an expansion asks for what a command gives; for a property if somebody reads it."""
+    element = command.element
+    if command.certain or element.name != "xacro:property":
+        return command.certain
+    return (
+        is_outside(element)
+        and not is_conditional(element)
+        and element.attributes.get("name") in visible.words
+    )

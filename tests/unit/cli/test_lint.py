@@ -219,7 +219,7 @@ def test_an_interrupt_ends_with_130(shell: Shell, monkeypatch: pytest.MonkeyPatc
     def interrupted(*arguments: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("sdfcheck.lint.source_file.lint_source", interrupted)
+    monkeypatch.setattr("sdfcheck.lint.one_file.lint_source", interrupted)
     outcome = shell.lint("good.sdf")
     assert outcome.code == 130
     assert "Traceback" not in outcome.err

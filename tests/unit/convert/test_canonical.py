@@ -9,7 +9,7 @@ import pytest
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, NumberStyle, canonical
 from sdfcheck.source.altered import Xml
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write
 
 ROBOTS = Path(__file__).parents[3] / "fixtures" / "robots"

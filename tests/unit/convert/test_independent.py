@@ -14,8 +14,8 @@ from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 pytest.importorskip("yourdfpy")
 

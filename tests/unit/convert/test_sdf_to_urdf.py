@@ -16,8 +16,8 @@ from sdfcheck.files.library import Library
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 _BODY = (
     "<inertial><pose>0.1 0.2 0.3 1 2 3</pose><mass>2</mass>"

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.contents.of_sdf import of_model
 from sdfcheck.convert.migrate.migrate import sdf_to_sdf
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
+from sdfcheck.convert.settings_tree import of_model
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.formats.version import NEWEST, Version

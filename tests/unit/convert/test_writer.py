@@ -10,8 +10,8 @@ from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.convert.writer import number, numbers, render, settled, write_atomically
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 
 
 def test_text_and_attributes_are_escaped() -> None:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.describe import definition
-from sdfcheck.formats.describe.description import Description, UnknownPlace
-from sdfcheck.formats.describe.place import describe
+from sdfcheck.formats import describe as definition
+from sdfcheck.formats.describe import Description, UnknownPlace, describe
 from sdfcheck.formats.schema import Format
 from sdfcheck.formats.sdf.schema import SDF
 from sdfcheck.formats.urdf.schema import URDF

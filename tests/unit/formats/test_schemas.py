@@ -10,9 +10,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
-from sdfcheck.formats.export.rng import rng
-from sdfcheck.formats.export.xsd import xsd
-from sdfcheck.formats.sdf.lexical import definitions, name_of
+from sdfcheck.formats.export import definitions, name_of, rng, xsd
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.version import NEWEST, Version
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.formats.describe.description import summary
+from sdfcheck.formats.describe import summary
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import urdf

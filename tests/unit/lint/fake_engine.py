@@ -11,12 +11,12 @@ import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
+from sdfcheck.lint.one_file import FileResult
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import ActiveRules
-from sdfcheck.lint.source_file import FileResult
-from sdfcheck.lint.suppress.directives import Comment
+from sdfcheck.lint.suppress.suppression import Comment
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
 
@@ -72,7 +72,7 @@ def install(monkeypatch: pytest.MonkeyPatch) -> list[Seen]:
             raise ValueError("no\nluck")
         return FileResult(_diagnostics(source, dispatch.active), _comments(source))
 
-    monkeypatch.setattr("sdfcheck.lint.source_file.lint_source", lint_source)
+    monkeypatch.setattr("sdfcheck.lint.one_file.lint_source", lint_source)
     monkeypatch.setattr("sdfcheck.lint.engine.Dispatch", Dispatch)
     monkeypatch.setattr("sdfcheck.lint.rulebook.packs.load_index", load_index)
     return seen

@@ -4,7 +4,7 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.lint.suppress.baseline import read
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 ONE = '<sdf version="1.9"><!-- -- --><world name="w"/></sdf>'
 TWO = '<sdf version="1.9"><!-- -- --><!-- -- --><world name="w"/></sdf>'

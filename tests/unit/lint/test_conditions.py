@@ -12,7 +12,7 @@ import pytest
 from sdfcheck.lint.rulebook.conditions import main, render
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import load_index
-from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins import find_pack
 
 LIMITS = """
 import math

@@ -9,7 +9,7 @@ from sdfcheck.lint.config.configuration import Configuration, load
 from sdfcheck.lint.config.schema import render, schema
 from sdfcheck.lint.config.settings import FIELDS, Pattern, Settings, line_of
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 EVERYTHING = """\
 select = ["AAA", "first-flaw"]

@@ -11,7 +11,7 @@ from sdfcheck.cli.main import main
 from sdfcheck.lint.rulebook.index import main as write_index
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import load_index
-from sdfcheck.lint.rulebook.plugins.find import find_pack
+from sdfcheck.lint.rulebook.plugins import find_pack
 
 RULES = """
 from sdfcheck import IN_MODEL, Bad, Good, Rule, Severity

@@ -13,9 +13,9 @@ import pytest
 
 import sdfcheck
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.lint.portions import checked, lint_portion, portions
+from sdfcheck.lint.processes import checked, lint_portion, portions
 from sdfcheck.lint.session import Options, find
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 from tests.unit.lint.many_files import PART, shape
 from tests.unit.lint.many_files import folder as folder  # noqa: PLC0414
 

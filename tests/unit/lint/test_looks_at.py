@@ -14,11 +14,11 @@ from sdfcheck.consumers.reaction import REFUSES, Affects, Consumer
 from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
+from sdfcheck.lint.one_file import lint_source
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import describe
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.select import ActiveRules, select
-from sdfcheck.lint.source_file import lint_source
 from sdfcheck.lint.subjects import Subjects, is_extension
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.text import Span

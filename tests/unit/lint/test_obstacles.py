@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
-from sdfcheck.lint.obstacles import OWN_CONSUMER, obstacles, own_consumer
+from sdfcheck.lint.targets import OWN_CONSUMER, obstacles, own_consumer
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source

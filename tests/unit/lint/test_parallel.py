@@ -17,7 +17,7 @@ from sdfcheck.cli.main import main
 from sdfcheck.lint import parallel, processes, session
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.one_file import Selected, lint_file
-from sdfcheck.lint.portions import DIED
+from sdfcheck.lint.processes import DIED
 from sdfcheck.lint.session import InternalError, Notice, Options, run
 from tests.unit.lint.many_files import folder as folder  # noqa: PLC0414
 from tests.unit.lint.many_files import shape

@@ -4,7 +4,7 @@ from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import UnknownSelector, check_targets, covered, select, without
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 
 def rule(

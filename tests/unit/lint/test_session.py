@@ -9,8 +9,8 @@ from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.run import Run
 from sdfcheck.lint.session import InternalError, Level, Notice, Options, run
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import HEAD, Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 from tests.posix import IS_ROOT
 from tests.unit.lint.fake_engine import Seen, install
 

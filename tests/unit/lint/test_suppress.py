@@ -7,9 +7,8 @@ from sdfcheck import lint
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.example import Bad, unmark
 from sdfcheck.lint.run import RuleFacts
-from sdfcheck.lint.suppress.directives import Comment, directives
 from sdfcheck.lint.suppress.rules import FACTS, MalformedSuppression, OwnRule, UnusedSuppression
-from sdfcheck.lint.suppress.suppression import Filtered, suppress
+from sdfcheck.lint.suppress.suppression import Comment, Filtered, directives, suppress
 from sdfcheck.source.text import Source
 
 

@@ -27,11 +27,10 @@ from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.example import fill, unmark
-from sdfcheck.lint.obstacles import ELSEWHERE, OWN_CONSUMER, own_consumer, refusals
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.lint.rulebook.trial import file_name
 from sdfcheck.lint.session import Options, run
-from sdfcheck.lint.targets import matrix
+from sdfcheck.lint.targets import ELSEWHERE, OWN_CONSUMER, matrix, own_consumer, refusals
 from sdfcheck.source.sniff import Kind, sniff
 from tests.test_rules import TRIALS
 

@@ -9,7 +9,7 @@ import sdfcheck
 from sdfcheck.cli.main import main
 from sdfcheck.lint.config import trust
 from sdfcheck.lint.config.configuration import Configuration
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 
 MODEL = '<sdf version="1.9"><model name="m"><link name="l"/></model></sdf>'
 CODE = "import pathlib\npathlib.Path(__file__).with_name('it_ran').touch()\n"

@@ -10,10 +10,10 @@ from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.settings import UNSET
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
+from sdfcheck.lint.one_file import lint_source
 from sdfcheck.lint.rulebook.pack import PackError
 from sdfcheck.lint.rulebook.packs import RuleIndex, load_index
 from sdfcheck.lint.select import ActiveRules, select
-from sdfcheck.lint.source_file import lint_source
 from sdfcheck.testing import Trial, examples
 
 FLATLAND = Path(__file__).parents[3] / "fixtures" / "packs" / "flatland"

@@ -23,8 +23,8 @@ from sdfcheck.lsp.names.index import occurrences
 from sdfcheck.lsp.names.rename import rename
 from sdfcheck.lsp.names.spread import Refused
 from sdfcheck.lsp.outline import folds, links, outline
-from sdfcheck.lsp.positions import Change, Place, Units, changed, offset_of, place_of
 from sdfcheck.lsp.signature import signature
+from sdfcheck.lsp.speech import Change, Place, Units, changed, offset_of, place_of
 from sdfcheck.lsp.tags import linked, selections
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.source.document import Document

@@ -14,8 +14,7 @@ from lsprotocol import types
 from benchmarks.editor import Editor
 from sdfcheck.lsp.completion.complete import complete
 from sdfcheck.lsp.findings import Findings
-from sdfcheck.lsp.schedule import Schedule
-from sdfcheck.lsp.worker import ANSWER, LINT, Worker
+from sdfcheck.lsp.worker import ANSWER, LINT, Schedule, Worker
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.text import Source

@@ -15,9 +15,8 @@ from sdfcheck.cli.main import main
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Missing, MissingKind, Origin, Severity
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.report import OutputFormat, content, render
-from sdfcheck.report.content import DELETED, INSERTED, KEPT, Hunk, hunks
+from sdfcheck.report.content import DELETED, INSERTED, KEPT, TITLE, Hunk, hunks
 from sdfcheck.report.formats.html import MOST_ROBOTS
-from sdfcheck.report.robots import TITLE
 from sdfcheck.source.text import Span
 from tests.unit.report.runs import diagnostic, facts, fixed, marked, rich_diagnostic, run
 
@@ -146,7 +145,7 @@ def test_robots_are_embedded_with_their_findings(tmp_path: Path) -> None:
 
 
 def test_a_robot_has_the_gravest_findings_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sdfcheck.report.robots._FINDINGS", 2)
+    monkeypatch.setattr("sdfcheck.report.content._FINDINGS", 2)
     (tmp_path / "a.sdf").write_text(
         '<sdf version="1.9"><!-- -- --><model name="m"><link name="a"/><link name="a"/><link name="a"/></model></sdf>'
     )
@@ -168,7 +167,7 @@ def test_robots_do_not_make_a_report_too_large(tmp_path: Path, monkeypatch: pyte
     for name in "ab":
         (tmp_path / f"{name}.urdf").write_text(f'<robot name="{name}"><link name="b"/></robot>')
     size = len(json.dumps(robots_of(lint(tmp_path))[0]))
-    monkeypatch.setattr("sdfcheck.report.robots._BYTES", size + 10)
+    monkeypatch.setattr("sdfcheck.report.content._BYTES", size + 10)
     assert len(robots_of(lint(tmp_path))) == 1
 
 

@@ -9,9 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.pictures.graph import Graph, GraphKind, graph
-from sdfcheck.robot.pictures.svg import svg
-from sdfcheck.robot.pictures.text import dot, mermaid, tree
+from sdfcheck.robot.pictures import Graph, GraphKind, dot, graph, mermaid, svg, tree
 from sdfcheck.source.document import read
 
 MODEL = """<model name="m"><link name="a"/><frame name="f" attached_to="a"><pose>0 0 1 0 0 -0</pose></frame>

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.includes.macros import parts_in_macros
+from sdfcheck.lint.expanded import parts_in_macros
 from sdfcheck.robot.parts.link import Inertial
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read

@@ -9,8 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.robot.semantics.robots import _may_be, descriptions_of
-from sdfcheck.robot.semantics.semantics import semantics_in
+from sdfcheck.robot.semantics import _may_be, descriptions_of, semantics_in
 from sdfcheck.source.sniff import Kind
 
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'

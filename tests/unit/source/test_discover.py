@@ -7,7 +7,7 @@ import pytest
 
 from sdfcheck.files import git
 from sdfcheck.files.discover import DiscoveredFile, discover
-from sdfcheck.source.wrong_usage import WrongUsage
+from sdfcheck.source.errors import WrongUsage
 from tests.posix import make_pipe
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.source.document import read
-from sdfcheck.source.scanner.hyphens import without_hyphens
+from sdfcheck.source.scanner.tokens import without_hyphens
 from sdfcheck.source.text import Source
 
 

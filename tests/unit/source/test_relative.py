@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from sdfcheck.source.relative import relative_path
+from sdfcheck.source.text import relative_path
 
 
 def test_a_path_from_a_folder() -> None:

@@ -16,8 +16,8 @@ from typing import Any
 import pytest
 
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.process import interpreter, worker
 from sdfcheck.xacro.process.watch import Limits

@@ -13,9 +13,8 @@ from lxml import etree
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Step
-from sdfcheck.xacro.annotate import annotated
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings, expand
-from sdfcheck.xacro.origins import ExpandedDocument
+from sdfcheck.xacro.origins import ExpandedDocument, annotated
 
 TOP = """<?xml version="1.0"?>
 <robot name="$(arg name)" xmlns:xacro="http://www.ros.org/wiki/xacro">

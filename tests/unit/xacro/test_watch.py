@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.source.document import read
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.wrong_usage import WrongUsage
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.problems import ExpansionFailure, Failure
 from sdfcheck.xacro.process import watch, worker

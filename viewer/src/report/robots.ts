@@ -4,7 +4,7 @@ import { made, path } from "../made";
 import type { Report } from "./data";
 import { fragmentOf } from "./filter";
 
-/** What stands for the file's name: see sdfcheck/report/robots.py. */
+/** What stands for the file's name: see sdfcheck/report/content.py. */
 const TITLE = /\ue000/g;
 
 export class Robots {

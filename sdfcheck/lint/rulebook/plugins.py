@@ -1,20 +1,27 @@
-"""The rules of a pack, imported: those that can run, and what is wrong with the others, at its place."""
+"""Plugins: packs of rules from folders and installed distributions, found, loaded and called with care."""
 
 from __future__ import annotations
 
+import ast
 import importlib
+import io
+import os
 import re
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout
+from functools import cache, wraps
 from importlib import import_module, util
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, NoneType, TracebackType
 from typing import TYPE_CHECKING, Any
+from zlib import crc32
 
 from sdfcheck.formats.vendor import BUILT_IN as BUILT_IN_TABLES
 from sdfcheck.formats.vendor import SUFFIX, prefix_of
-from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.example import Bad, Good
+from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.pack import (
     CONDITIONS,
@@ -26,16 +33,326 @@ from sdfcheck.lint.rulebook.pack import (
     has_index,
     read_index,
 )
-from sdfcheck.lint.rulebook.plugins.call import aside
-from sdfcheck.lint.rulebook.plugins.find import find_pack, read_tables
-from sdfcheck.lint.rulebook.plugins.place import at, described, place_of_class, place_of_error
 from sdfcheck.lint.run import BUILT_IN, RuleFacts
 from sdfcheck.source.document import Element
+from sdfcheck.source.errors import REPORT_IT
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import Span, shown
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+
+# Where a pack is: a folder, an entry point of an installed distribution, or an import name.
+
+GROUP = "sdfcheck.rules"
+"""The entry points by which installed packs are known."""
+
+
+def find_pack(name: str | Path) -> Pack:
+    """Locate a pack: a folder if the name is a path, else an entry point, else a package or module.
+
+    Raises: PackError: the pack is not found.
+    """
+    if isinstance(name, Path) or "/" in name or os.sep in name:
+        return _in_folder(Path(name))
+    module = None if name == BUILT_IN else _entry_point(name)
+    return _imported(name, module or name)
+
+
+def _in_folder(folder: Path) -> Pack:
+    if not folder.is_dir():
+        raise PackError("no such folder", str(folder))
+    real = folder.resolve()
+    # Two folders of one name are two packs.
+    package = f"sdfcheck_plugin_{re.sub(r'[^0-9A-Za-z]', '_', real.name)}_{crc32(str(real).encode()):08x}"
+    return Pack(str(folder), Path(os.path.abspath(folder)), package)
+
+
+def _entry_point(name: str) -> str | None:
+    """The module that an installed distribution declares under a name; None if none does."""
+    from importlib.metadata import entry_points
+
+    modules = sorted({point.value.strip() for point in entry_points(group=GROUP, name=name)})
+    if len(modules) > 1:
+        raise PackError(f"several installed packages declare it: {', '.join(modules)}", name)
+    if modules and not re.fullmatch(r"\w+(\.\w+)*", modules[0]):
+        raise PackError(
+            f"its entry point `{modules[0]}` should name a package or module and nothing in it", name
+        )
+    return modules[0] if modules else None
+
+
+def _imported(name: str, module: str) -> Pack:
+    try:
+        spec = util.find_spec(module)
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # the packages around it are imported, and may fail in any way
+        raise PackError(described(error), name) from error
+    if spec is not None and spec.submodule_search_locations:
+        return Pack(name, Path(next(iter(spec.submodule_search_locations))), module)
+    if spec is not None and spec.origin is not None and spec.origin.endswith(".py"):
+        return Pack(name, Path(spec.origin).parent, module, Path(spec.origin))
+    if module != name:
+        raise PackError(f"its entry point names `{module}`, which cannot be imported", name)
+    raise PackError(f"no folder, no entry point `{GROUP}` and no package of that name is there", name)
+
+
+def read_tables(pack: Pack) -> list[Path]:
+    """The tables of a pack's vendors; raises PackError for one that cannot be read."""
+    paths = [] if pack.file is not None else sorted(pack.folder.glob(f"*{SUFFIX}"))
+    if paths:
+        from sdfcheck.formats.vendor.definitions import BadTable
+        from sdfcheck.formats.vendor.table import check_tables
+
+        try:
+            check_tables(paths)
+        except BadTable as error:
+            raise PackError(str(error), pack.name) from None
+    return paths
+
+
+@cache
+def tables_of(plugins: tuple[str | Path, ...]) -> tuple[Path, ...]:
+    """The tables of all plugins; none of one that cannot be loaded, which linting reports."""
+    return tuple(table for plugin in plugins for table in _readable(plugin))
+
+
+def _readable(plugin: str | Path) -> list[Path]:
+    try:
+        return read_tables(find_pack(plugin))
+    except PackError:
+        return []
+
+
+# Where something of a pack is written: file and line of a class, of its examples, of a failure.
+
+_LONGEST = 200
+"""More of an error's text does not help on one line."""
+
+
+class Misbehavior(Exception):
+    """A rule does what rules must not do: where, and in words for its author."""
+
+    def __init__(self, place: str, text: str) -> None:
+        super().__init__(text)
+        self.place = place
+
+
+def described(error: BaseException) -> str:
+    """An error on one line, whatever it is."""
+    try:
+        text = error.msg if isinstance(error, SyntaxError) else str(error)
+    except Exception:
+        text = ""
+    text = " ".join(text.split())
+    text = text if len(text) <= _LONGEST else f"{text[:_LONGEST]}…"
+    if isinstance(error, Misbehavior):
+        return text
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+def at(path: Path | str, line: int) -> str:
+    """A place as people and terminals understand it."""
+    return f"{shown(Path(path))}:{line}"
+
+
+def failure(facts: RuleFacts, error: BaseException) -> tuple[str, str]:
+    """The failure of a rule, its place, and the way to fix it."""
+    place = error.place if isinstance(error, Misbehavior) else place_of_error(error, facts.module)
+    where = f" at {place}" if place else ""
+    message = f"rule {facts.code} {facts.name} failed{where}: {described(error)}"
+    if facts.is_built_in:
+        return message, REPORT_IT
+    return message, f'correct the rule, or leave it out with `ignore = ["{facts.name}"]`'
+
+
+def place_of_error(error: BaseException, module: str, *folders: Path) -> str | None:
+    """The innermost place within the package of a module, or within folders, at which an error came up."""
+    roots = (*_roots(module), *(f"{folder}{os.sep}" for folder in folders))
+    if isinstance(error, SyntaxError) and str(error.filename).startswith(roots):
+        return at(str(error.filename), error.lineno or 1)
+    places = [(file, line) for file, line in _frames(error.__traceback__) if file.startswith(roots)]
+    return at(*places[-1]) if places else None
+
+
+def place_of_check(rule: type) -> str:
+    """Where the ``check`` of a rule begins; the class, if it is not a plain function."""
+    code = getattr(getattr(rule, "check", None), "__code__", None)
+    return at(code.co_filename, code.co_firstlineno) if code else place_of_class(rule)
+
+
+def place_of_class(rule: type, attribute: str = "") -> str:
+    """Where a class assigns an attribute; the class itself, if it does not."""
+    node = _class(rule)
+    line = 1 if node is None else node.lineno
+    value = None if node is None else _assigned(node, attribute)
+    return at(_file(rule), line if value is None else value.lineno)
+
+
+def places_of_examples(rule: type, attribute: str, count: int) -> list[str]:
+    """Where the examples in ``bad`` or ``good`` are, one by one as far as they are written so."""
+    owner = next(base for base in rule.__mro__ if attribute in vars(base))
+    node = _class(owner)
+    value = None if node is None else _assigned(node, attribute)
+    if isinstance(value, ast.Tuple | ast.List) and len(value.elts) == count:
+        return [at(_file(owner), item.lineno) for item in value.elts]
+    return [place_of_class(owner, attribute)] * count
+
+
+def _roots(module: str) -> tuple[str, ...]:
+    top = sys.modules.get(module.partition(".")[0])
+    folders = tuple(f"{folder}{os.sep}" for folder in getattr(top, "__path__", ()))
+    file = getattr(top, "__file__", None)
+    return (*folders, file) if file else folders or ("\0",)
+
+
+def _frames(trace: TracebackType | None) -> Iterator[tuple[str, int]]:
+    while trace is not None:
+        yield trace.tb_frame.f_code.co_filename, trace.tb_lineno
+        trace = trace.tb_next
+
+
+def _file(rule: type) -> str:
+    return getattr(sys.modules.get(rule.__module__), "__file__", None) or rule.__module__
+
+
+def _class(rule: type) -> ast.ClassDef | None:
+    classes = [node for node in ast.walk(_tree(_file(rule))) if isinstance(node, ast.ClassDef)]
+    return next((node for node in classes if node.name == rule.__name__), None)
+
+
+def _tree(file: str) -> ast.Module:
+    try:
+        return ast.parse(Path(file).read_bytes())
+    except (OSError, SyntaxError, ValueError):
+        return ast.Module([], [])
+
+
+def _assigned(node: ast.ClassDef, attribute: str) -> ast.expr | None:
+    """The value that the body of a class gives an attribute."""
+    for part in reversed(node.body):
+        targets = part.targets if isinstance(part, ast.Assign) else [getattr(part, "target", None)]
+        if any(isinstance(target, ast.Name) and target.id == attribute for target in targets):
+            return getattr(part, "value", None)
+    return None
+
+
+# Calls to rules of plugins, which may do anything: what they return is checked, what they print set aside.
+
+# Prints of rules go to stderr: stdout carries the report.
+
+
+class Aside(io.TextIOBase):
+    """A stream to stderr that says once whose prints these are."""
+
+    def __init__(self, whose: str) -> None:
+        self._whose = whose
+        self._is_named = False
+
+    def write(self, text: str) -> int:
+        """Write to stderr."""
+        if not self._is_named and text:
+            self._is_named = True
+            sys.stderr.write(f"warning: {self._whose} prints; this is not part of the report:\n")
+        return sys.stderr.write(text)
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+        sys.stderr.flush()
+
+
+@contextmanager
+def aside(name: str) -> Iterator[None]:
+    """While this lasts, what is printed is the plugin's."""
+    with redirect_stdout(Aside(f"plugin {name}")):
+        yield
+
+
+_END = object()
+_LONG = 60
+"""More of a strange value does not help on one line."""
+
+
+def guard(rule: Rule) -> None:
+    """Hold a rule to what rules promise.
+
+    Its ``check`` then raises Misbehavior for a result that is not a diagnostic of the rule; prints
+    of ``check`` and ``applies`` go to stderr.
+    """
+    place = place_of_check(type(rule))
+    prints = Aside(f"rule {rule.code} {rule.name} ({place})")
+    applies, check = rule.applies, rule.check
+
+    @wraps(applies)
+    def guarded_applies(subject: Any) -> bool:
+        with redirect_stdout(prints):
+            return applies(subject)
+
+    @wraps(check)
+    def guarded_check(subject: Any) -> Iterator[Diagnostic]:
+        with redirect_stdout(prints):
+            items = _iterated(check(subject), place)
+        while True:
+            with redirect_stdout(prints):
+                item: Any = next(items, _END)
+            if item is _END:
+                return
+            if wrong := next(_wrong(item, rule), None):
+                raise Misbehavior(place, wrong)
+            yield item
+
+    vars(rule).update(applies=guarded_applies, check=guarded_check)
+
+
+def _iterated(returned: Any, place: str) -> Iterator[Any]:
+    """The diagnostics that a rule yields."""
+    if isinstance(returned, Diagnostic):
+        raise Misbehavior(place, "`check` returned a Diagnostic: yield it")
+    if isinstance(returned, str) or not isinstance(returned, Iterable):
+        raise Misbehavior(place, f"`check` should yield diagnostics, and returned {_shortened(returned)}")
+    return iter(returned)
+
+
+def _wrong(item: Any, rule: Rule) -> Iterator[str]:
+    """The fault of something that a rule has yielded."""
+    if not isinstance(item, Diagnostic):
+        yield f"`check` yielded {_shortened(item)}, not a Diagnostic: use self.diagnostic(…)"
+        return
+    fields = item._asdict()
+    if (item.code, item.name) != (rule.code, rule.name):
+        yield f"`check` yielded a diagnostic of {item.code} {item.name}, not of its own"
+    for field, kind, expected in _FIELDS:
+        if not isinstance(fields[field], kind):
+            yield f"`check` yielded a diagnostic with {_shortened(fields[field])} as {field}: it should be {expected}"
+    if not all(isinstance(text, str) for _, text in item.labels):
+        yield "`check` yielded a diagnostic with a label that is not a text"
+    if item.fix is not None and not all(_is_edit(edit) for edit in item.fix.edits):
+        yield "`check` yielded a diagnostic with a fix whose edits are not Edits of a span and a text"
+
+
+_FIELDS: tuple[tuple[str, type | tuple[type, ...], str], ...] = (
+    ("message", str, "a text"),
+    ("severity", Severity, "a Severity"),
+    ("span", Span, "an element, a value or a Span"),
+    ("labels", tuple, "pairs of a place and a text"),
+    ("help", (str, NoneType), "a text"),
+    ("fix", (Fix, NoneType), "a Fix, as sdfcheck.replace and sdfcheck.edit make it"),
+)
+
+
+def _is_edit(edit: Any) -> bool:
+    fields = tuple(edit) if isinstance(edit, TextEdit) else (None, None)
+    return isinstance(fields[0], Span) and isinstance(fields[1], str)
+
+
+def _shortened(value: object) -> str:
+    text = repr(value)
+    return text if len(text) < _LONG else f"{text[:_LONG]}…"
+
+
+# The rules of a pack, imported: those that can run, and what is wrong with the others, at its place.
 
 # Faults that keep a rule from running at all: attributes that are missing or malformed.
 
@@ -129,8 +446,7 @@ def _selector(selector: str) -> str | None:
         return f"`selects` has `{selector}`, which should name an element after the colon, such as `{dialect}:joint`"
     if dialect in ("xacro", "model-config"):
         return None
-    from sdfcheck.formats.describe.description import UnknownPlace
-    from sdfcheck.formats.describe.place import describe
+    from sdfcheck.formats.describe import UnknownPlace, describe
 
     try:
         describe(selector)

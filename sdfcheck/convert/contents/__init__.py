@@ -1,1 +1,0 @@
-"""Other contents of a robot than bodies and moving joints: sensors, plugins, materials, custom data."""
