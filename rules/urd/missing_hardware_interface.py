@@ -62,8 +62,8 @@ PREFIX = "transmission_interface/"
 
 def is_for_ros_control(transmission: Transmission) -> bool:
     """Does the robot name interfaces, or run ros_control? Drake reads transmissions as well, and needs none."""
-    text = transmission.document.source.text
-    return "<hardwareInterface" in text or "ros_control" in text
+    source = transmission.document.source
+    return source.contains("<hardwareInterface") or source.contains("ros_control")
 
 
 def bare_joints(transmission: Transmission) -> list[Element]:

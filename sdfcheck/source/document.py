@@ -318,11 +318,13 @@ class Spans:
     Element number ``n`` of the tree, in document order, is start tag ``n`` of the scan.
     """
 
-    __slots__ = ("scan", "source")
+    __slots__ = ("_last", "scan", "source")
 
     def __init__(self, source: Source, scan: Scan) -> None:
         self.source = source
         self.scan = scan
+        self._last: tuple[int, StartTag] | None = None
+        """The number of a start tag, and the tag: what is asked about next is mostly in the same one."""
 
     def place(self, element: Element) -> ElementPlace:
         """Offsets of the element's start and end tags in its :meth:`home`."""
@@ -361,8 +363,11 @@ class Spans:
     def start_tag(self, element: Element) -> StartTag:
         from sdfcheck.source.scanner.parse_tag import parse_start_tag
 
-        odd = self.scan.odd.get(element.index)
-        return odd or parse_start_tag(self.source, self.scan.starts[element.index])[0]
+        number = element.index
+        if self._last is None or self._last[0] != number:
+            tag = self.scan.odd.get(number) or parse_start_tag(self.source, self.scan.starts[number])[0]
+            self._last = number, tag
+        return self._last[1]
 
     def attribute_name(self, element: Element, name: str) -> Span:
         place = self._attribute(element, name)
