@@ -97,6 +97,13 @@ def is_measured(consumer: Consumer) -> bool:
     return consumer.value in table().versions
 
 
+def concerns(code: str, targets: Collection[str]) -> bool:
+    """Whether a measured consumer among ``targets`` minds a rule's defect."""
+    rows = table().rows.get(code, {})
+    said = (one for name in ON_REQUEST.intersection(targets) for one in rows.get(name, {}).values())
+    return any(one != AS_PARSER and not Reaction.of(one).is_harmless for one in said)
+
+
 def with_measured(
     code: str, affects: Mapping[str, Mapping[str, str]], targets: Collection[str], *, is_error: bool
 ) -> dict[str, Mapping[str, str]]:

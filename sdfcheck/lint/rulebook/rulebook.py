@@ -105,7 +105,7 @@ def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tu
 
     if ON_REQUEST.isdisjoint(targets):
         return rules
-    from sdfcheck.consumers.measured import with_measured
+    from sdfcheck.consumers.measured import concerns, with_measured
     from sdfcheck.lint.diagnostic import Severity
 
     return tuple(
@@ -114,7 +114,7 @@ def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tu
                 facts.code, facts.affects, targets, is_error=facts.severity is Severity.ERROR
             )
         )
-        if facts.affects
+        if facts.affects or (not facts.default and concerns(facts.code, targets))
         else facts
         for facts in rules
     )

@@ -181,3 +181,31 @@ def test_reasons_fold_at_the_width_and_all_of_them_can_be_shown(tmp_path: Path) 
     assert folded[-1].endswith("more (--all shows them)")
     whole = list(lines(rows, tmp_path / "r.urdf", most=None))
     assert len(whole) == 1 + len(rows[0].reasons) > 6
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "consumer", "code"),
+    [
+        (
+            "a.urdf",
+            '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.glb"/></geometry></visual>'
+            "</link></robot>",
+            "pybullet",
+            "GEO019",
+        ),
+        (
+            "w.sdf",
+            '<sdf version="1.9"><world name="w"><include><uri>model://cart</uri></include></world></sdf>',
+            "drake",
+            "DRK023",
+        ),
+    ],
+)
+def test_rules_that_are_on_for_one_consumer(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, text: str, consumer: str, code: str
+) -> None:
+    (tmp_path / name).write_text(text)
+    assert main(["targets", "--target", consumer, str(tmp_path / name)]) == 1
+    assert f"[{code}]" in capsys.readouterr().out
+    main(["lint", "--target", "gazebo", "--output-format", "concise", str(tmp_path / name)])
+    assert f"[{code}]" not in capsys.readouterr().out
