@@ -188,8 +188,10 @@ def test_reasons_fold_at_the_width_and_all_of_them_can_be_shown(tmp_path: Path) 
     [
         (
             "a.urdf",
-            '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.glb"/></geometry></visual>'
-            "</link></robot>",
+            (
+                '<robot name="r"><link name="l"><visual><geometry><mesh filename="m.glb"/></geometry></visual>'
+                "</link></robot>"
+            ),
             "pybullet",
             "GEO019",
         ),
