@@ -13,7 +13,7 @@ from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, des
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import wants_color
-from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 
@@ -77,7 +77,6 @@ def diff(**given: Any) -> int:
 def _compare(request: Request, around: Around) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
     from sdfcheck.robot.motion.poses import PoseError
-    from sdfcheck.source.errors import DescriptionError
 
     for file in (request.a, request.b):
         require_file(file)

@@ -14,8 +14,8 @@ from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import lines_of, wants_color
 from sdfcheck.robot import pictures as graph_text
-from sdfcheck.robot.pictures import Graph, GraphKind, graph
-from sdfcheck.source.errors import WrongUsage
+from sdfcheck.robot.pictures import Graph, GraphKind, graph, svg
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 
@@ -48,8 +48,6 @@ def graph_command(
         warn_if_broken(document)
         drawn = graph(document, GraphKind(kind))
     except ValueError as error:
-        from sdfcheck.source.errors import DescriptionError
-
         if not isinstance(error, DescriptionError):
             raise
         line, column = error.element.span.begin
@@ -65,8 +63,6 @@ def graph_command(
 
 def _picture(drawn: Graph, form: str) -> str:
     if form == "svg":
-        from sdfcheck.robot.pictures import svg
-
         return svg(drawn)
     return graph_text.dot(drawn) if form == "dot" else graph_text.mermaid(drawn)
 

@@ -15,7 +15,7 @@ from sdfcheck.cli.parts.descriptions import around, described, load, warn_if_bro
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color
-from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 
@@ -91,7 +91,6 @@ def measure(document: Document) -> MassReport:
     from sdfcheck.robot.motion.mass_report import mass_report
     from sdfcheck.robot.motion.poses import PoseError
     from sdfcheck.robot.root import root_of
-    from sdfcheck.source.errors import DescriptionError
 
     try:
         return mass_report(root_of(document))

@@ -1,4 +1,9 @@
-"""Reactions of the consumers of URDF, and of Drake, to a part that cannot be read as it is."""
+"""Reactions of the consumers of URDF, and of Drake, to a part that cannot be read as it is.
+
+It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
+but at its material, Drake ignores controllers. Checked by taking attributes and elements
+away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
+"""
 
 from __future__ import annotations
 
@@ -12,12 +17,6 @@ from sdfcheck.formats.urdf.schema import extension, urdf
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-
-# Reactions of the consumers of URDF to a part that cannot be read as it is.
-#
-# It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
-# but at its material, Drake ignores controllers. Checked by taking attributes and elements
-# away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
 
 _NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))
 _FREE = frozenset(("transmission", "gazebo", "ros2_control"))

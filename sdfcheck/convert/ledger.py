@@ -1,4 +1,11 @@
-"""The books of a conversion: each item of the source, and what became of it."""
+"""The books of a conversion: each item of the source, and what became of it.
+
+Items are elements, attributes, texts and comments. A writer enters what it carries, translates or
+merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so that
+nothing disappears in silence. An item that a writer should have entered is a bug of the converter,
+and is reported as such (CNV030). ``prove`` looks into the result for what is said to be carried as
+it is.
+"""
 
 from __future__ import annotations
 
@@ -79,15 +86,6 @@ def other_shapes(element: Element) -> list[Element]:
 def is_named(element: Element) -> bool:
     """Is it one of the parts of which a model has one of each name?"""
     return element.name in _NAMED
-
-
-# The books of a conversion: each item of the source, and what became of it.
-#
-# Items are elements, attributes, texts and comments. A writer enters what it carries, translates or
-# merges (``take``) and what it leaves out (``lose``); ``close`` reports what nobody entered, so that
-# nothing disappears in silence. An item that a writer should have entered is a bug of the converter,
-# and is reported as such (CNV030). ``prove`` looks into the result for what is said to be carried as
-# it is.
 
 
 TEXT = "#text"

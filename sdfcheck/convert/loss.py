@@ -172,10 +172,6 @@ _GRAVE = _FATAL | {
 VARYING = frozenset(kind.code for kind in set(LossKind) - _FATAL)
 """The codes of kinds whose severity belongs to the case."""
 
-
-# Parts that a conversion could not carry over as they were.
-
-
 __all__ = ("Loss", "LossKind", "NotConvertible", "loss_at", "refusal", "to_diagnostic")
 
 

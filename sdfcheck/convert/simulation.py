@@ -1,4 +1,9 @@
-"""Lets a robot run in simulators, and reports what goes wrong, at its place in the text."""
+"""Lets a robot run in simulators, and reports what goes wrong, at its place in the text.
+
+A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
+Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
+Its own doings (convex hulls, masses that it invents) are named as such.
+"""
 
 from __future__ import annotations
 
@@ -68,13 +73,6 @@ class SimKind(FindingKind):
     @property
     def is_grave(self) -> bool:
         return self in {SimKind.NOT_LOADED, SimKind.UNSTABLE}
-
-
-# Lets a robot run in simulators, and says what goes wrong, at its place in the text.
-#
-# A simulator gets each model as URDF without visuals, with meshes found by us; SDFormat is converted.
-# Its measurements (:mod:`sdfcheck.consumers.engines.behavior`) become findings of the family SIM.
-# Its own doings (convex hulls, masses that it invents) are named as such.
 
 
 _MESHES = {

@@ -58,8 +58,6 @@ def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
     return min(spans, key=lambda span: span.start, default=None)
 
 
-# Is a result as sound as its source? Errors that the source does not have.
-
 _KEPT = frozenset({"INR", "RES"})
 """Families whose warnings are about what a conversion does not touch."""
 

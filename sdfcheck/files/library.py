@@ -98,9 +98,6 @@ class Disk:
         return listed
 
 
-# The files of one run: where others are looked for, and each of them read once.
-
-
 MODEL_PATH_VARIABLES = (
     "GZ_SIM_RESOURCE_PATH",
     "SDF_PATH",

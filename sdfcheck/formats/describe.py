@@ -115,13 +115,12 @@ class Description(NamedTuple):
 
 def missing(name: str, holder: str, known: list[str]) -> UnknownPlace:
     """The complaint about a name that its holder does not know."""
-    from sdfcheck.formats.near_names import suggest
 
     near = suggest(name, known)
     return UnknownPlace(f"{holder} has no `{name}`" + (f", did you mean `{near}`?" if near else ""))
 
 
-# The definition of one place in SDFormat or URDF; see :mod:`sdfcheck.formats.describe`.
+# The definition of one place in SDFormat or URDF.
 
 
 class _Use(NamedTuple):
@@ -346,7 +345,7 @@ def _complaint(schema: Schema, steps: tuple[str, ...]) -> UnknownPlace:
     return missing(last, f"`{'/'.join(outer)}`" if outer else title, sorted(known))
 
 
-# The entry of a vendor's table for a prefixed name; see :mod:`sdfcheck.formats.describe`.
+# The entry of a vendor's table for a prefixed name.
 
 _FORMATS = {"sdf": "SDFormat", "urdf": "URDF"}
 
@@ -615,8 +614,6 @@ def describe(
 
     Raises: UnknownPlace: the format has no such place.
     """
-    from sdfcheck.formats.sdf.schema import schema
-    from sdfcheck.formats.urdf.schema import CONTROL, URDF
 
     dialect, steps = _taken_apart(question)
     robots = URDF.schema(URDF.newest)

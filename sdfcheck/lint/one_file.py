@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import Settings
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, lint_document
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.source.document import Document, read
@@ -94,8 +94,6 @@ def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = Fa
     return FileResult(diagnostics, comments(source, document.scan), outward, document)
 
 
-# Lint one file of a run, with what it refers to available, and silence what is to be silenced.
-
 _ROBOTS = frozenset({Kind.SDF, Kind.URDF})
 _INCLUDABLE = frozenset({Kind.SDF, Kind.URDF, Kind.MODEL_CONFIG, Kind.BROKEN_XML, Kind.EMPTY})
 """The kinds whose texts findings may show."""
@@ -137,14 +135,11 @@ class Caches:
     def xacro(self, settings: Settings, path: Path) -> Xacro:
         """How to expand a file: by whom (None: not at all) and with which sets of arguments."""
         if not self._expand:
-            from sdfcheck.lint.engine import Xacro
-
             return Xacro(None, ())
         key = settings.search, settings.env
         if key not in self._expanders:
             self._expanders[key] = self._expander(self._surroundings(settings))
             self._expanders[key].start()
-        from sdfcheck.lint.engine import Xacro
 
         sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
         return Xacro(self._expanders[key], tuple(dict(given) for given in sets))
@@ -203,8 +198,6 @@ def lint_included(
 
     It is somebody else's file: its warnings are theirs, and it is not fixed.
     """
-    from sdfcheck.lint.diagnostic import Origin, Severity
-    from sdfcheck.lint.engine import lint_document
 
     path = document.path
     settings = configuration.settings_for(path)

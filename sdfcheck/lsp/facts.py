@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 from sdfcheck.lsp.names.index import descriptions_for
 from sdfcheck.lsp.signature import described, macro_of
-from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
+from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, symbol_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import DescriptionError
@@ -84,7 +84,6 @@ def _written(document: Document, symbol: Symbol) -> Node | None:
 
 
 def _matches(node: Node, symbol: Symbol) -> bool:
-    from sdfcheck.robot.naming.occurrences import symbol_of
 
     own = symbol_of(node)
     return own is not None and own.key == symbol.key and node.kind == symbol.kind

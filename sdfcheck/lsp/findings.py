@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Origin
 from sdfcheck.lint.fold import without_repeats
 from sdfcheck.lint.one_file import Selected, lint_file, lint_included
 from sdfcheck.lsp.glance import Look, glance, look, near
@@ -195,7 +195,6 @@ class Findings:
 
 
 def _with_way(foreign: _Foreign) -> Sequence[Diagnostic]:
-    from sdfcheck.lint.diagnostic import Origin
 
     by: tuple[Value, ...] = foreign.document.included_by
     if not by:

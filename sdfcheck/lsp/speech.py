@@ -95,8 +95,6 @@ def changed(source: Source, changes: Iterable[Change], units: Units) -> tuple[So
     return source, kept
 
 
-# From the project's own values to those of the protocol, and back.
-
 NAME = "sdfcheck"
 _NOT_ENCODED = re.compile("[\ud800-\udfff]")
 

@@ -68,8 +68,6 @@ class Schedule:
             self.note(key)
 
 
-# One thread that does all work on documents, one job at a time: answers first, then what can wait.
-
 T = TypeVar("T")
 
 ANSWER, LINT, OVERVIEW, SURVEY = range(4)

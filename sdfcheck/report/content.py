@@ -26,8 +26,6 @@ from sdfcheck.view.notes import findings
 from sdfcheck.view.page import page, split
 from sdfcheck.view.scene import scene
 
-# The content of the HTML report, as JSON for its script.
-
 # A fix as the lines that it changes, with what it takes out of them and puts into them.
 
 
@@ -96,9 +94,6 @@ def _line_end(source: Source, offset: int) -> int:
     """Where the line of an offset ends, its line end left out."""
     ends = [found for mark in "\r\n" if (found := source.text.find(mark, offset)) >= 0]
     return min(ends, default=len(source.text))
-
-
-# The content of the HTML report, as JSON for its script.
 
 
 Json = dict[str, Any]

@@ -209,9 +209,6 @@ def _rows(strokes: list[_Stroke]) -> Iterator[list[_Stroke]]:
         yield row
 
 
-# One diagnostic as people read it: heading, lines of code, remarks.
-
-
 class Style(NamedTuple):
     """How diagnostics are shown: names of files, colors, and the cells of the terminal, if there is one."""
 

@@ -112,9 +112,6 @@ def _lines(node: _Node, indent: str) -> Iterator[str]:
     yield indent + node.end
 
 
-# The manual page of a rule, in Markdown: what it reports, shown on its examples.
-
-
 _OWN = (UnusedSuppression, MalformedSuppression)
 _LONGEST = 1500
 _PREVIEW = "preview: off unless selected by its code or name, or with `--preview`"

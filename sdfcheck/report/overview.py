@@ -10,7 +10,7 @@ from sdfcheck.report.colors import INK_OF, Ink, Paint
 from sdfcheck.report.digest import files_of
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import EVERYTHING, View, closing_line
-from sdfcheck.report.table import fitted
+from sdfcheck.report.table import Cell, Column, fitted, table
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.visible import visible
 
@@ -107,7 +107,6 @@ def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
     closing = fitted(closing_line(run), view.width) + "\n"
     if not run.diagnostics:
         return closing
-    from sdfcheck.report.table import Cell, Column, table
 
     by_code: dict[str, list[Diagnostic]] = {}
     for diagnostic in run.diagnostics:

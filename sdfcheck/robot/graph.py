@@ -406,7 +406,6 @@ class Part:
             from sdfcheck.formats.urdf.findings import misspells
 
             return misspells(self.element, name)
-        from sdfcheck.formats.sdf.survey import survey
 
         return (self.element, name) in survey(self.document).misspelled
 
@@ -779,7 +778,6 @@ class Node(Part):
     @property
     def written_base(self) -> str:
         """The name that its pose is written relative to; empty where there is none."""
-        from sdfcheck.robot.values import reference_of
 
         return reference_of(self.pose_element)
 
@@ -1223,7 +1221,6 @@ class Scope(Node):
         for kind, name, child in _named_children(source):
             if kind in NODES and (name := name.strip()):
                 self._take(source, nodes, name, child)
-        from sdfcheck.formats.sdf.survey import survey
 
         if survey(source.document).index.get("include"):
             from sdfcheck.robot.includes.included import included
@@ -1265,7 +1262,6 @@ class Scope(Node):
 
 def _named_children(source: Scope) -> Iterable[Child]:
     """The named parts of a world or model."""
-    from sdfcheck.formats.sdf.survey import survey
 
     surveyed = survey(source.document)
     children: Iterable[Child] = surveyed.named.get(source.element, ())

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import NEWEST, VERSIONS, Version
-from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named
+from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named, pick
 from sdfcheck.robot.naming.name import WORLD_FRAME
 from sdfcheck.robot.values import lazy
 
@@ -73,10 +73,6 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
     "Root": lambda root: (root,),
 }
 """Class → its parts, where the names of elements alone do not determine them."""
-
-
-# The root of a description: everything that a file says, as one graph of parts.
-
 
 P = TypeVar("P", bound="Part")
 URDF_VERSIONS = ("1.0", "1.1", "1.2")
@@ -313,7 +309,6 @@ class Root(Part):
 
     @property
     def _survey(self) -> Survey:
-        from sdfcheck.formats.sdf.survey import survey
 
         return survey(self.document)
 
@@ -336,13 +331,11 @@ class Root(Part):
 
     def world(self, key: str | int) -> World:
         """A world by name or index; raises NotFound."""
-        from sdfcheck.robot.graph import pick
 
         return pick(self, "world", self.worlds, key)
 
     def model(self, key: str | int) -> Model:
         """A model that is in no world, by name or index; raises NotFound."""
-        from sdfcheck.robot.graph import pick
 
         return pick(self, "model", self.models, key)
 

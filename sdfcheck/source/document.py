@@ -592,9 +592,6 @@ def _refuse(*_: object) -> None:
     raise Refused
 
 
-# One file: its text, its tree, and what other layers have worked out about it.
-
-
 T = TypeVar("T")
 
 

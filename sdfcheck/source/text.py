@@ -11,8 +11,6 @@ from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
 
-# Texts, places in them, and the units in which the world counts columns.
-
 _LINE_END = re.compile(r"\r\n?|\n")
 
 

@@ -41,8 +41,6 @@ def bound(number: float) -> float | None:
     return float(number) if math.isfinite(number) and abs(number) < 1e15 else None
 
 
-# The meshes of a scene: each file once, embedded if it is not too large.
-
 FORMATS = {".stl": "stl", ".obj": "obj", ".dae": "dae", ".glb": "gltf", ".gltf": "gltf"}
 ONE = 8_000_000
 """Bytes of a file that is embedded."""

@@ -109,8 +109,6 @@ def _digest(text: str) -> str:
     return f"sha256-{base64.b64encode(sha256(text.encode()).digest()).decode()}"
 
 
-# The page that shows scenes: one file that loads nothing from anywhere.
-
 _STYLE = """
 :root { color-scheme: light dark; --line: #8886; --error: #c92a2a; --warning: #8f5200; --info: #1864ab; }
 :root { --before: #d9480f; --after: #1864ab; --chosen: #fff3bf; --ground: #f4f5f7; }

@@ -1,4 +1,8 @@
-"""A description as numbers and names that a page can draw: links, joints, shapes, inertias, sensors, frames."""
+"""A description as numbers and names that a page can draw: links, joints, shapes, inertias, sensors, frames.
+
+Poses are 4×4 transforms as 16 numbers, column by column, as WebGL has them. Those of links and
+joints are relative to the model, at the zero configuration; all others to their link.
+"""
 
 from __future__ import annotations
 
@@ -98,11 +102,6 @@ def _number(element: Element, path: Sequence[str], default: float) -> float:
     except ValueError:
         return default
 
-
-# A description as numbers and names that a page can draw: links, joints, shapes, inertias, sensors, frames.
-#
-# Poses are 4×4 transforms as 16 numbers, column by column, as WebGL has them. Those of links and
-# joints are relative to the model, at the zero configuration; all others to their link.
 
 MOST_SHAPES = 2000
 """Shapes that are drawn in full; beyond that round ones have few corners and meshes are boxes, and the page says so."""

@@ -211,10 +211,6 @@ _TAKE: Mapping[str, Callable[[_Case], Problem]] = {
     "arguments": _arguments,
 }
 
-
-# Expanding a xacro file: the text, the document, or what was in the way.
-
-
 PASSED_ON = tuple(
     """
     AMENT_PREFIX_PATH GZ_VERSION IGNITION_VERSION ROS_DISTRO ROS_PACKAGE_PATH ROS_PYTHON_VERSION

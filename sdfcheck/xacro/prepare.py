@@ -59,9 +59,6 @@ def lacks_links(document: Document) -> bool:
     return any(end.text_of("link") not in own for end in ends)
 
 
-# The parts of a xacro file to lint: its own problems, and the documents made of it.
-
-
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 

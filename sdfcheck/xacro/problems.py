@@ -1,4 +1,9 @@
-"""Problems of xacro files, found by reading or by expanding them, and oversights that xacro accepts."""
+"""Problems of xacro files, found by reading or by expanding them, and oversights that xacro accepts.
+
+``origins`` lead from the nearest macro call or include outwards; they are empty where
+no expansion was needed to find the problem. ``is_dormant``: xacro would stop there, but no
+expansion reaches the place.
+"""
 
 from __future__ import annotations
 
@@ -105,13 +110,6 @@ class OddParameter(Oversight):
     def is_fatal(self) -> bool:
         """Can a call of the macro not be expanded?"""
         return self.flaw in {ParameterFlaw.COMMA, ParameterFlaw.DOUBLED}
-
-
-# Problems of xacro files, found by reading or by expanding them.
-#
-# ``origins`` lead from the nearest macro call or include outwards; they are empty where
-# no expansion was needed to find the problem. ``is_dormant``: xacro would stop there, but no
-# expansion reaches the place.
 
 
 class Failure(Enum):

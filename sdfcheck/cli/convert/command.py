@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from sdfcheck.cli.convert.files import Source, refuse_to_overwrite, sources, targets
+from sdfcheck.cli.convert.files import OtherKind, Reader, Source, refuse_to_overwrite, sources, targets
 from sdfcheck.cli.convert.options import Request
 from sdfcheck.cli.parts.command import LazyCommand, LazyGroup
 from sdfcheck.cli.parts.descriptions import check_arguments
@@ -26,18 +26,9 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.cli.convert.files import Input, Reader
-    from sdfcheck.convert.result import Conversion
-    from sdfcheck.source.document import Document
-
-
-# The results of converting one file.
-
-if TYPE_CHECKING:
     from sdfcheck.cli.convert.files import Input, Judgement
     from sdfcheck.convert.comparison import Verification
     from sdfcheck.convert.result import Conversion
-    from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.source.document import Document
     from sdfcheck.source.text import Span
 
@@ -162,7 +153,6 @@ def _differences(done: Conversion, document: Document, request: Request) -> list
     if not found or document.root is None:
         return []
     from sdfcheck.convert.loss import Loss, LossKind, to_diagnostic
-    from sdfcheck.lint.diagnostic import Severity
 
     texts = (f"the result is not the same robot: {one.what} of `{one.name}` {one.text}" for one in found)
     span = document.root.span
@@ -393,7 +383,6 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
     Raises:
         WrongUsage: the options contradict each other, or a file cannot be read or written.
     """
-    from sdfcheck.cli.convert.files import Reader
 
     files = sources(request)
     wanted = outputs(request.output_format, None)
@@ -440,7 +429,6 @@ def _release(source: Document | None, done: Conversion | None) -> None:
 
 def _give_up(file: Source, files: Sequence[Source], error: WrongUsage, done: Reporting) -> None:
     """Ignore a file of another kind that was found, or is one of several."""
-    from sdfcheck.cli.convert.files import OtherKind
 
     if isinstance(error, OtherKind) and (not file.named or (len(files) > 1 and error.kind in _OTHER_WORK)):
         done.ignore(file.path, error.kind.description)

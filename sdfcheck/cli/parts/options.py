@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from sdfcheck.cli.parts.terminal import pair
-from sdfcheck.formats.version import NEWEST, OLDEST, Version
+from sdfcheck.formats.version import NEWEST, OLDEST, VERSIONS, Version
 from sdfcheck.lint.config.settings import GIVEN, UNSET, Field, Settings, Shape
 from sdfcheck.source.errors import WrongUsage
 
@@ -53,7 +53,6 @@ def formats(context: click.Context, parameter: click.Parameter, begun: str) -> l
 
 
 def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-    from sdfcheck.formats.version import VERSIONS
 
     names = map(str, reversed(VERSIONS))
     return _items((name, "") for name in names if name.startswith(begun))
@@ -62,7 +61,6 @@ def versions(context: click.Context, parameter: click.Parameter, begun: str) -> 
 def places(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
     """The continuations in the newest SDFormat, or another format: ``joint/ax`` → ``joint/axis``."""
     from sdfcheck.formats.describe import UnknownPlace, describe
-    from sdfcheck.formats.version import NEWEST
 
     above, slash, word = begun.rpartition("/")
     if ":" in word:

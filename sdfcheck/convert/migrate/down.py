@@ -594,7 +594,6 @@ def _differs(pose: Node, value: Array) -> bool:
         return True
     if not written and not pose.attributes.keys() & set(_FORMAT):
         return bool(np.abs(value - np.eye(4)).max() > 0)
-    from sdfcheck.robot.motion.rotations import from_rpy, transform
 
     if len(written) != 6:
         return True

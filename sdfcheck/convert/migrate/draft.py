@@ -207,9 +207,6 @@ class Node(Xml):
                 node.text = node.text.replace(old, new)
 
 
-# A description on its way to another version: nodes that change, and what they mean at the moment.
-
-
 _ENCODING = re.compile(
     r"""(<\?xml[^<>]*?encoding\s*=\s*["'])(?!utf-8["']|(?:us-)?ascii["'])[\w.:-]+""", re.IGNORECASE
 )

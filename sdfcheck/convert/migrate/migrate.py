@@ -326,9 +326,6 @@ def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
     )
 
 
-# SDFormat from one version to another, up or down.
-
-
 LOWEST = Version(1, 4)
 """The oldest version that can be asked for."""
 TARGETS = tuple(version for version in reversed(VERSIONS) if version >= LOWEST)

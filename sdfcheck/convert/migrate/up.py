@@ -1,4 +1,9 @@
-"""Steps to a newer version: the conversions that libsdformat makes when it reads an older file, and others."""
+"""Steps to a newer version: the conversions that libsdformat makes when it reads an older file, and others.
+
+Where its own interpreter loses something this one does not: a target that exists
+already is kept, missing parents are made in full, and what is renamed keeps its
+attributes and children.
+"""
 
 from __future__ import annotations
 
@@ -46,13 +51,6 @@ def operations(minor: int) -> tuple[Operation, ...]:
     lines = (line for line in _FILE.read_text("utf-8").splitlines() if not line.startswith("#"))
     rows = ((line + "\t" * 5).split("\t")[:6] for line in lines)
     return tuple(Operation(int(first), *rest) for first, *rest in rows if int(first) == minor)
-
-
-# The conversions that libsdformat makes when it reads an older file.
-#
-# Where its own interpreter loses something this one does not: a target that exists
-# already is kept, missing parents are made in full, and what is renamed keeps its
-# attributes and children.
 
 
 _TRUE = {"true", "1"}

@@ -126,9 +126,6 @@ def _tidy_pose(pose: Xml, definition: Definition, style: NumberStyle) -> None:
     pose.write(" ".join((*texts, *(style.angle(angle, degrees=has_degrees) for angle in angles))))
 
 
-# The canonical form of a description: the same robot, written one way.
-
-
 _DEGREES_SINCE = Version(1, 9)
 _DUST = 1e-15
 _COMPUTED = frozenset(("auto_inertia_params", "density", "inertia", "mass", "pose"))

@@ -1,4 +1,9 @@
-"""Includes replaced by what they bring."""
+"""Includes replaced by what they bring.
+
+The children of an include (name, pose, static, placement frame, plugins) take precedence over those
+of the included file. A merged model leaves a frame in place of its own, by the name that
+libsdformat gives it.
+"""
 
 from __future__ import annotations
 
@@ -55,13 +60,6 @@ def _seen_from(document: Document, found: Included, file: Path) -> str:
         if file.is_relative_to(place.parent):
             return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"
     return Path(relative_path(file, document.path.parent)).as_posix()
-
-
-# Includes replaced by what they bring.
-#
-# The children of an include (name, pose, static, placement frame, plugins) take precedence over those
-# of the included file. A merged model leaves a frame in place of its own, by the name that
-# libsdformat gives it.
 
 
 _MERGED = frozenset(("frame", "gripper", "include", "joint", "link", "model", "plugin"))

@@ -224,9 +224,6 @@ def add_frames(context: Context) -> None:
         context.ledger.take_parts(frame.element, "pose")
 
 
-# From an SDF model to a URDF robot.
-
-
 def convert(
     document: Document, options: Options | None = None, *, folder: Path | None = None, verified: bool = True
 ) -> Conversion:

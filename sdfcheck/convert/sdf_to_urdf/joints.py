@@ -121,9 +121,6 @@ def add_mimic(context: Context, node: Xml, joint: Joint, axis: Axis) -> None:
     )
 
 
-# Joints: where they are, how they move, what stops them.
-
-
 _SAME_IN_URDF = frozenset({"revolute", "continuous", "prismatic", "fixed"})
 
 

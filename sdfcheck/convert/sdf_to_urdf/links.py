@@ -173,9 +173,6 @@ def _canonical(element: Element) -> tuple[object, ...]:
     return (element.name, tuple(sorted(element.attributes.items())), " ".join(element.content.split()), inner)
 
 
-# Links with their inertials, visuals and collisions.
-
-
 _KEPT = 2 * LEAST
 """The mass (kg) of a link for which libsdformat does not drop it, and no more."""
 _COMPONENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")

@@ -67,8 +67,6 @@ def is_identity(pose: Array) -> bool:
     return bool(np.abs(pose - np.eye(4)).max() < 1e-12)
 
 
-# The plan of a URDF robot: its model, the tree of its joints, where its links are, and its names.
-
 # Names in the URDF: one scope, in which links and joints share no name.
 
 

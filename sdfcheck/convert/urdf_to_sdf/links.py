@@ -179,9 +179,6 @@ def _is_only_for_gazebo(collision: Xml) -> bool:
     return at.find("mu") is not None or at.find("mu2") is not None
 
 
-# Links: pose, mass, shapes.
-
-
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _SHAPES = {
     "box": ("size",),

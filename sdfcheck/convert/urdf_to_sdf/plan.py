@@ -87,9 +87,6 @@ def legal(name: str) -> str:
     return text or "unnamed"
 
 
-# The plan for each link and joint, before anything is written.
-
-
 _TIED = frozenset({"fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw"})
 FOR_DRAKE = frozenset({"planar", "curvilinear"})
 """Kinds of joint that only Drake has in SDFormat, between frames."""

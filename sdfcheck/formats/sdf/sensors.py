@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sdfcheck.formats import problems
+from sdfcheck.formats import history, problems
 from sdfcheck.formats.sdf.survey import Survey
 from sdfcheck.source.document import Element
 
@@ -62,7 +62,6 @@ def sensor_problems(surveyed: Survey) -> Iterator[object]:
 
 def _renamed(surveyed: Survey, sensor: Element, expected: tuple[str, ...]) -> Iterator[object]:
     """Types and settings with an older name, once their version has the new one."""
-    from sdfcheck.formats import history
     from sdfcheck.formats.sdf.schema import schema
 
     definition = schema(surveyed.version).at("sensor:sensor")

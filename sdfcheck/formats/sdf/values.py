@@ -1,4 +1,8 @@
-"""How libsdformat reads values, with the reason where that is not what is written."""
+"""How libsdformat reads values, with the reason where that is not what is written.
+
+Checked against version 17 of the library: it takes the longest number from the front of
+a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silence.
+"""
 
 from __future__ import annotations
 
@@ -234,11 +238,6 @@ def read_parts(text: str, wanted: tuple[int, ...], width: Width) -> Reading:
     start = parts[wanted[-1]][0] if len(parts) > wanted[-1] else 0
     return Reading(Outcome.WRONG_COUNT, start, len(text), refused=True, wanted=wanted, got=len(parts))
 
-
-# How libsdformat reads a value, with the reason where that is not what is written.
-#
-# Checked against version 17 of the library: it takes the longest number from the front of
-# a text and forgets what follows, so that `1,5` is 1 and `1.5kg` is 1.5 in silence.
 
 _SIZES = {"angle": 1, "quaternion": 3, "time": 2, "vector2d": 2, "vector2i": 2, "vector3": 3}
 _WHOLE = frozenset(("time", "vector2i"))

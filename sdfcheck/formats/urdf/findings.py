@@ -13,6 +13,7 @@ from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.values import BLANKS, no_number, stream_float
+from sdfcheck.formats.sdf.values import read as read_as_sdf
 from sdfcheck.formats.table import Range
 from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents, urdf
 from sdfcheck.formats.version import Version
@@ -279,7 +280,6 @@ class UrdfFindings(Findings):
 
     def value(self, element: Element, parent: Element, definition: Definition) -> None:
         """A number or flag in ``<gazebo>``, in the attribute ``value`` or as text."""
-        from sdfcheck.formats.sdf.values import read as read_as_sdf
 
         value = element.attribute("value") or element.own_value
         if definition.type == "flag":

@@ -1,4 +1,9 @@
-"""Tables of vendors' own elements and attributes: what a prefix brings, and how tags carry their values."""
+"""Tables of vendors' own elements and attributes: what a prefix brings, and how tags carry their values.
+
+The layout of such a table is described in docs/vendor-tables.md. One for Drake is built in
+(``data/drake.txt``); packs of rules bring others. A table is read when a document uses
+its prefix, which is the beginning of the file's name.
+"""
 
 from __future__ import annotations
 
@@ -33,13 +38,6 @@ def value_elsewhere(element: Element, wanted: str) -> tuple[str, Value] | None:
         if wanted != f"@{name}" and (value := element.attribute(name)) is not None:
             return f"@{name}", value
     return None
-
-
-# Tables of vendors' own elements and attributes: what a prefix brings, where, and with which values.
-#
-# The layout of such a table is described in docs/vendor-tables.md. One for Drake is built in
-# (``data/drake.txt``); packs of rules bring others. A table is read when a document uses
-# its prefix, which is the beginning of the file's name.
 
 
 DIALECTS = {"sdf": Kind.SDF, "urdf": Kind.URDF}

@@ -69,9 +69,6 @@ def file_name(text: str, example: Bad | Good) -> str:
     return example.file or ("robot.urdf" if "<robot" in text else "robot.sdf")
 
 
-# Runs the examples of a pack's rules: the exact place, the fix, and silence where all is well.
-
-
 class Bench:
     """The rules of a pack, and what it takes to run their examples.
 

@@ -1,4 +1,11 @@
-"""Directives: comments that speak to sdfcheck, and the elements after them."""
+"""Directives: comments that speak to sdfcheck, and the elements after them.
+
+``<!-- sdfcheck: ignore[XYZ001, name-of-rule] reason -->`` silences the rules for the
+next element: for its start tag and, if it holds no elements, for its text and end tag.
+A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) after
+it. ``ignore-file[…]``, anywhere in the file, holds for all of it; without brackets it
+silences every rule.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +26,6 @@ from sdfcheck.lint.suppress.rules import MalformedSuppression, UnusedSuppression
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source, Span
-
-# Comments that may be directives of sdfcheck, and the elements after them.
-
 
 MARK = "sdfcheck:"
 
@@ -74,15 +78,6 @@ def includes(source: Source, scan: Scan) -> list[Span]:
         for number, start in enumerate(scan.starts)
         if is_include(source, start)
     ]
-
-
-# Directives: comments that speak to sdfcheck, read.
-#
-# ``<!-- sdfcheck: ignore[XYZ001, name-of-rule] reason -->`` silences the rules for the
-# next element: for its start tag and, if it holds no elements, for its text and end tag.
-# A whole subtree takes ``disable[…]`` before and ``enable[…]`` (or ``enable``: all) after
-# it. ``ignore-file[…]``, anywhere in the file, holds for all of it; without brackets it
-# silences every rule.
 
 
 IGNORE, DISABLE, ENABLE, IGNORE_FILE = "ignore", "disable", "enable", "ignore-file"

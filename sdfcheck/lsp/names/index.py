@@ -71,8 +71,6 @@ def _described(document: Document) -> list[Document]:
     return best
 
 
-# Finding names: what is named at a place, and where else.
-
 MOST_FILES = 5_000
 """So many files of a project are searched for a name, no more."""
 LARGEST = 16 * MEGABYTE

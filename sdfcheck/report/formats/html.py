@@ -14,7 +14,7 @@ from sdfcheck.report.overview import overview
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
 from sdfcheck.source.visible import visible
-from sdfcheck.view.page import Assets, sealed
+from sdfcheck.view.page import Assets, as_data, assets, sealed, split
 
 if TYPE_CHECKING:
     from sdfcheck.report.content import Robot
@@ -45,7 +45,6 @@ def render(run: Run, robots: Sequence[Robot] = ()) -> str:
     data = Content(run).as_json() | {"robots": shown, "mostRobots": MOST_ROBOTS}
     if not robots:
         return sealed("sdfcheck report", body, data, Assets(style, script))
-    from sdfcheck.view.page import as_data, assets, split
 
     before, _, after = split(robots[0].page)
     more = {"viewer": as_data([before, after])}

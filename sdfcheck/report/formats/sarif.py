@@ -55,9 +55,6 @@ def _hash(window: bytes) -> int:
     return value
 
 
-# SARIF 2.1.0, with the additions that GitHub's code scanning requires.
-
-
 _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "note"}
 _PROBLEMS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "recommendation"}
 _LONGEST = 1024  # characters of a description that GitHub keeps

@@ -70,9 +70,6 @@ def as_vendors_have_it(made: mechanism.Joint, joint: Joint) -> mechanism.Joint:
     return made
 
 
-# Makes one mechanism of a model: nested and included models become names such as ``arm::hand``.
-
-
 _WITH_FILES = frozenset(("mesh", "heightmap", "image"))
 
 

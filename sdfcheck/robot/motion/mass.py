@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.parts.shape import Collision
 
 
-# Mass, center of mass and inertia of a body.
-
-
 class MassProperties(NamedTuple):
     """Mass (kg), center of mass (m) and inertia tensor (kg·m²) about it, in the axes of one frame."""
 

@@ -1,4 +1,8 @@
-"""Poses: where nodes are, whatever the pose is written relative to."""
+"""Poses: where nodes are, whatever the pose is written relative to.
+
+Source: the specification's pose frame semantics (1.7, 1.8) and libsdformat 17, which
+applies them to documents of every version.
+"""
 
 from __future__ import annotations
 
@@ -128,12 +132,6 @@ def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
     z = math.copysign(math.sqrt(max(0.0, 1 - a - e + i)) / 2, d - b)
     length = math.sqrt(x * x + y * y + z * z + w * w)
     return x / length, y / length, z / length, w / length
-
-
-# Where nodes are: every pose resolved, whatever it is written relative to.
-#
-# Source: the specification's pose frame semantics (1.7, 1.8) and libsdformat 17, which
-# applies them to documents of every version.
 
 
 class PoseError(DescriptionError):

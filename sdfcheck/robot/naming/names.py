@@ -1,4 +1,9 @@
-"""Names that things are given: those that siblings share, and those that reach nothing."""
+"""Names that things are given: those that siblings share, and those that reach nothing.
+
+In a model, links, joints, frames and nested models share one name space, in a world
+models, joints and frames do; the ``gz sdf`` check refuses any two named siblings,
+plugins excepted. Source: libsdformat 17, checked against what it reports.
+"""
 
 from __future__ import annotations
 
@@ -144,13 +149,6 @@ def _attribute(element: Element, name: str) -> Iterator[Value]:
         yield value
 
 
-# Names that things are given: those that siblings share, and those that are more than plain words.
-#
-# In a model, links, joints, frames and nested models share one name space, in a world
-# models, joints and frames do; the ``gz sdf`` check refuses any two named siblings,
-# plugins excepted. Source: libsdformat 17, checked against what it reports.
-
-
 # Among names, one a line: what may be reserved, has spaces at its ends, or a colon in it.
 _ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
 _ODD_MARKS = ("__", "world", ":", " ", "\t", "\r", "\n\n")
@@ -208,7 +206,6 @@ class Names:
         """
         if self.root.is_urdf or not self.root.is_older_than("1.8"):
             return {}
-        from sdfcheck.formats.sdf.survey import survey
 
         return foreign_references(survey(self.root.document))
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.graph import Part
+from sdfcheck.robot.graph import MergedFrame, Model, Part, Scope
 from sdfcheck.robot.values import is_true, lazy
 
 if TYPE_CHECKING:
@@ -361,7 +361,6 @@ class Include(FileUse):
     @lazy
     def node(self) -> Node | None:
         """The model that it brings whole, or the frame of one that it merges; None if neither."""
-        from sdfcheck.robot.graph import Scope
 
         if not isinstance(self.holder, Scope):
             return None
@@ -370,14 +369,12 @@ class Include(FileUse):
     @property
     def model(self) -> Model | None:
         """The model that it brings whole; None if it brings none, or merges it."""
-        from sdfcheck.robot.graph import Model
 
         return self.node if isinstance(self.node, Model) else None
 
     @property
     def content(self) -> Model | None:
         """The model that it brings, whole or merged."""
-        from sdfcheck.robot.graph import MergedFrame
 
         return self.node.model if isinstance(self.node, MergedFrame) else self.model
 

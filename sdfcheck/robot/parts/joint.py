@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.graph import Node, Part
-from sdfcheck.robot.naming.name import MODEL_FRAME
+from sdfcheck.robot.naming.name import MODEL_FRAME, mirrored, without_sides
 from sdfcheck.robot.values import Number, Vector, is_true, lazy, number
 
 if TYPE_CHECKING:
@@ -425,7 +425,6 @@ class Joint(Node):
     @property
     def counterparts(self) -> tuple[Joint, ...]:
         """The other joints of its model whose names differ only by the side: those of the other wheels or legs."""
-        from sdfcheck.robot.naming.name import without_sides
 
         key = without_sides(self.name)
         if key == self.name or self.model is None:
@@ -436,7 +435,6 @@ class Joint(Node):
     @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
-        from sdfcheck.robot.naming.name import mirrored
 
         name = mirrored(self.name)
         return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.graph import Part
+from sdfcheck.robot.graph import Part, Scope
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.values import is_true, lazy, number, parts
 
@@ -43,7 +43,6 @@ class State(Part):
     @property
     def world(self) -> Scope | None:
         """The world that it is a state of."""
-        from sdfcheck.robot.graph import Scope
 
         return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
 
@@ -105,7 +104,6 @@ class Gripper(Part):
     @lazy
     def unresolved(self) -> tuple[UnknownName, ...]:
         """The names that are not those of links."""
-        from sdfcheck.robot.graph import Scope
 
         scope = self.holder
         if not isinstance(scope, Scope):

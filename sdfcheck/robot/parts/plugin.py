@@ -352,7 +352,6 @@ def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | 
 
 
 def _driven_model(plugin: Plugin) -> Model | None:
-    from sdfcheck.robot.graph import Model
 
     scope = plugin.root.scope_of(plugin.element)
     return scope if isinstance(scope, Model) else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from sdfcheck.robot.graph import Part
+from sdfcheck.robot.graph import Node, Part, Setting
 from sdfcheck.robot.naming.name import DEFAULT, UnknownName
 from sdfcheck.robot.values import Vector, is_true, lazy, number, parts
 
@@ -50,7 +50,6 @@ class Light(Part):
 
     def pose(self, relative_to: str | None = None) -> Pose:
         """Its pose in what it is in, or relative to what a reference names there; raises PoseError."""
-        from sdfcheck.robot.graph import Node
         from sdfcheck.robot.motion.poses import of_part
 
         return of_part(self, self.within(Node), relative_to)
@@ -183,7 +182,6 @@ class Sensor(Part):
     @property
     def settings(self) -> Setting | None:
         """The part of its type: ``camera``, ``lidar``, ``imu`` …; None without one."""
-        from sdfcheck.robot.graph import Setting
 
         names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")
         element = next((found for name in names if name and (found := self.find(name)) is not None), None)

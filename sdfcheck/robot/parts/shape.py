@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.robot.graph import Part
+from sdfcheck.robot.graph import Model, Part
 from sdfcheck.robot.parts import solids
 from sdfcheck.robot.values import Number, Vector, lazy, number
 
@@ -85,15 +85,11 @@ class Material(Part):
     @property
     def defined(self) -> Material:
         """In URDF: itself, or the robot's material of this name where only the name is given."""
-        from sdfcheck.robot.graph import Model
 
         model = self.within(Model)
         if self.has_look or model is None:
             return self
         return model.materials_by_name.get(self.name, self)
-
-
-# Shapes: what is seen of a link, and what it touches others with.
 
 
 _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {

@@ -1,4 +1,8 @@
-"""Which end tag belongs to which start tag, also where some are missing, by the evidence of the text."""
+"""Which end tag belongs to which start tag, also where some are missing, by the evidence of the text.
+
+A parser that knows only "expected this, found that" reports the wrong place first and others after it.
+Here the text ahead and the indentation count as evidence, and one mistake makes one problem.
+"""
 
 from __future__ import annotations
 
@@ -305,12 +309,6 @@ def alike(one: str, other: str) -> bool:
     start = next((i for i, (a, b) in pairs if a != b), min(len(one), len(other)))
     rest, other_rest = one[start:], other[start:]
     return rest[1:] == other_rest[1:] or rest[1:] == other_rest or rest == other_rest[1:]
-
-
-# Which end tag belongs to which start tag, also where some are missing, misspelled or too many.
-#
-# A parser that knows only "expected this, found that" reports the wrong place first and others after it.
-# Here the text ahead and the indentation count as evidence, and one mistake makes one problem.
 
 
 def pair(source: Source, text: str, tokens: Tokens) -> Pairs:

@@ -1,4 +1,8 @@
-"""A text cut into tags, texts, comments and the rest, whatever it looks like."""
+"""A text cut into tags, texts, comments and the rest, whatever it looks like.
+
+Every piece gets a guess of what it was meant to be; where it is not well formed, there is a problem as
+well. How tags belong together is not asked here.
+"""
 
 from __future__ import annotations
 
@@ -35,12 +39,6 @@ def instruction_fault(text: str, start: int, end: int) -> tuple[SyntaxKind, int,
     if version and _INSTRUCTION.fullmatch(f'<?xml version="1.0"{text[version.end() : end]}'):
         return SyntaxKind.ODD_VERSION, version.start(2), version.end(2)
     return SyntaxKind.MALFORMED_INSTRUCTION, start, end
-
-
-# A text cut into tags, texts, comments and the rest, whatever it looks like.
-#
-# Every piece gets a guess of what it was meant to be; where it is not well formed, there is a problem as
-# well. How tags belong together is not asked here.
 
 
 _SOUND_TAG = re.compile(rf"{START.pattern}|</({NAME}){BLANK}*>")

@@ -1,4 +1,9 @@
-"""Follows xacro while it expands, so that every element still knows where it was written."""
+"""Follows xacro while it expands, so that every element still knows where it was written.
+
+Runs in the process that expands. xacro builds a DOM and copies macro bodies with
+``cloneNode``; the DOM's user data, with its handler that is called for copies, carries
+the places. xacro's own code is not changed: a few of its functions are replaced while it runs.
+"""
 
 from __future__ import annotations
 
@@ -96,12 +101,6 @@ class ManyChildren(MutableSequence[Any]):
         while len(self._before) < number:
             self._before.append(self._after.pop())
 
-
-# Follows xacro while it expands, so that every element still knows where it was written.
-#
-# Runs in the process that expands. xacro builds a DOM and copies macro bodies with
-# ``cloneNode``; the DOM's user data, with its handler that is called for copies, carries
-# the places. xacro's own code is not changed: a few of its functions are replaced while it runs.
 
 KEY = "place"
 

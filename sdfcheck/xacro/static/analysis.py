@@ -216,9 +216,6 @@ def _filename(include: Include) -> Span:
     return include.element.document.spans.attribute_value(include.element, "filename")
 
 
-# The problems of a xacro file that reading it shows: no expression is evaluated.
-
-
 _DECLARED = re.compile(r"\sxmlns:xacro\s*=")
 
 

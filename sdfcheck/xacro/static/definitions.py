@@ -33,8 +33,6 @@ from sdfcheck.xacro.language import (
 from sdfcheck.xacro.problems import ExpansionFailure, Failure, IgnoredIncludeContent, WrongXacroAttribute
 from sdfcheck.xacro.static.project import is_included
 
-# All that a xacro file can see: its own definitions, calls and includes, and those of what it includes.
-
 # The elements of the xacro language, also where they are misspelled.
 
 

@@ -107,8 +107,6 @@ def is_plain_call(element: Element, visible: Definitions) -> bool:
     return False
 
 
-# Oversights that xacro accepts, as far as reading a file shows them.
-
 _SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SIGN = re.compile(r"\s*(:?=)(\s*)")
 _SCOPES = ("global", "local", "parent")
