@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf, sqrt
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 
 GRAVITY = 9.81
 """m/s²."""
@@ -88,21 +88,20 @@ def overloaded(model: Model) -> list[tuple[Joint, float]]:
 
 def weights(model: Model) -> dict[Joint, list[float]]:
     """Each joint with the mass (kg) of all links below it, and the sum of mass times position (kg·m)."""
-    found: dict[Joint, list[float]] = {}
+    below: dict[Link, list[float]] = {}
     for link, pose in model.poses_at_rest.items():
         mass, center = link.inertial.mass.number, link.inertial.center
-        if not link.inertial.is_given or not 0 < mass < inf or center is None:
-            continue
-        moments = (mass, *(mass * at for at in pose.applied_to(center)))
-        at = link
-        while joints := at.parent_joints:
-            sums = found.setdefault(joints[0], [0.0] * len(moments))
-            for number, moment in enumerate(moments):
-                sums[number] += moment
-            parent = joints[0].parent_link
-            if parent is None:
-                break
-            at = parent
+        below[link] = [0.0] * 4
+        if link.inertial.is_given and 0 < mass < inf and center is not None:
+            below[link] = [mass, *(mass * at for at in pose.applied_to(center))]
+    found: dict[Joint, list[float]] = {}
+    for link, moments in reversed(below.items()):  # parents are in front of their children
+        if link.parent_joints and any(moments):
+            joint = link.parent_joints[0]
+            found[joint] = moments
+            if joint.parent_link is not None:
+                at = below[joint.parent_link]
+                at[:] = (own + more for own, more in zip(at, moments, strict=True))
     return found
 
 
