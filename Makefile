@@ -11,6 +11,7 @@
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
 # make growth   measure how the work of the commands grows with the size of a document
 # make mutants  change the code a little, many times: which changes does no test notice?
+# make engines  ask Drake, MuJoCo and PyBullet, as far as they can be installed here
 # make reactions measure what consumers do with the examples of rules, for consumers/data/reactions.txt
 # make generate write the generated files again;  make golden: the expected outputs;  make bench: the speed table
 
@@ -30,7 +31,7 @@ SITE_TOOLS := $(VENV)/.installed-docs
 CONDITIONS := rules/conditions.py
 RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench growth fuzz mutants clean
+.PHONY: demo picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
 
 demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -74,6 +75,15 @@ generated: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index --check
 	$(BIN)/python -m tables.rule_pages --check
 	$(BIN)/python -m sdfcheck.convert.loss_table --check
+
+# In an environment of their own, as they need other versions; without a wheel for this Python they are left out.
+engines: $(TOOLS)
+	[ -x build/engines/bin/python ] || $(PYTHON) -m venv build/engines
+	for engine in drake mujoco pybullet; do \
+		build/engines/bin/python $(PIP_INSTALL) --only-binary :all: $$engine || echo "$$engine cannot be installed here"; \
+	done
+	SDFCHECK_ENGINES=$(CURDIR)/build/engines/bin/python $(BIN)/python -m pytest -q -n0 -m peers \
+		tests/unit/consumers/test_engines.py tests/peers/test_drake.py
 
 # Asks the consumers that are installed; SDFCHECK_ENGINES names a Python with the others.
 reactions: $(TOOLS)
