@@ -24,7 +24,7 @@ def report(rule: Rule, problem: problems.UndefinedName, what: str) -> Diagnostic
         fix=_fix(problem),
         origins=tuple(Origin(*step) for step in problem.origins),
         cause=None if reason is None else reason.cause,
-        **unless_reached(is_dormant=problem.is_dormant, help=None if reason is None else ""),
+        **unless_reached(is_dormant=problem.is_dormant, help=None if reason is None else reason.help),
     )
 
 

@@ -4,6 +4,7 @@ from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, ignores, p
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
+LIBRARY = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
 _IGNORES = ignores("the element, unless xacro comes before it")
 
 
@@ -45,6 +46,16 @@ class UndefinedMacro(Rule):
             says="did you mean `property`?",
         ),
         Bad("<xacro:«grey»/><xacro:grey/>", file=FILE, says="macro `grey` is not defined (used 2 times)"),
+        Bad(
+            '<xacro:include filename="base.xacro"/><xacro:«wheel»/>',
+            file="arm.urdf.xacro",
+            files={
+                ".git/HEAD": "",
+                "base.xacro": LIBRARY.format(""),
+                "parts/wheel.xacro": LIBRARY.format('<xacro:macro name="wheel" params=""/>'),
+            },
+            says="macro `wheel` is not defined here: `parts/wheel.xacro` defines it, and is not included",
+        ),
     )
     good = (
         Good(

@@ -86,6 +86,27 @@ class UndefinedProperty(Rule):
             file=FILE,
             says="block `orign` is not defined; did you mean `origin`?",
         ),
+        Bad(
+            '<link name="l${«size»}"/>',
+            file="arm.urdf.xacro",
+            files={
+                **PACKAGE,
+                "sizes.xacro": LIBRARY.format('<xacro:property name="size" value="1"/>'),
+                "old.xacro": LIBRARY.format('<!-- <xacro:property name="size" value="1"/> -->'),
+            },
+            says="`sizes.xacro` defines it, and is not included",
+        ),
+        Bad(
+            '<link name="l${«size»}"/>',
+            file="arm.urdf.xacro",
+            files={
+                **PACKAGE,
+                "wheel.xacro": LIBRARY.format(
+                    '<xacro:macro name="wheel" params=""><xacro:property name="size" value="1"/></xacro:macro>'
+                ),
+            },
+            says="property `size` is not defined",
+        ),
     )
     good = (
         Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),

@@ -140,6 +140,7 @@ class Reason(Record):
     label: str = ""
     cause: Span | None = None
     argument: str = ""
+    help: str = ""
 
 
 class ExpansionFailure(Record):

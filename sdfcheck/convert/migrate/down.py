@@ -23,7 +23,7 @@ from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.graph import Scope
 from sdfcheck.robot.motion.mass import MassProperties, automatic
 from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array, from_rpy, inverse, transform
+from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
 from sdfcheck.robot.parts.link import Link
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.errors import DescriptionError
@@ -620,10 +620,10 @@ def attach_joints_to_links(migration: Migration) -> None:
                 continue
             link, name = _as_seen(frame.scope, *found, named)
             moved = role == "child" and not reference_of(frame.element.find("pose"))
-            pose = None
-            if moved:
-                pose = inverse(places.poses.reached(frame.scope, link)) @ places.poses.in_scope(frame)
-            changes.append((end, name, pose))
+            try:
+                changes.append((end, name, places.between(link, frame) if moved else None))
+            except PoseError as error:
+                migration.lose(end, f"the pose cannot be resolved: {error}", LossKind.UNKNOWN_REFERENCE)
     for end, name, pose in changes:
         migration.note(
             end, f"{end.name} `{end.content}` is written as its link `{name}`", LossKind.DROPPED_FRAME

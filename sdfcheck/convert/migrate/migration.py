@@ -152,13 +152,17 @@ class Places:
         outer = self.in_holder(owner.parent, holder) if owner.parent is not holder else np.eye(4)
         return inverse(outer) @ self.in_holder(owner, holder)
 
+    def between(self, base: RobotNode, frame: RobotNode) -> Array:
+        """The pose of a frame in another one, which may be further in; raises PoseError."""
+        return inverse(self.poses.reached(frame.scope, base)) @ self.poses.in_scope(frame)
+
     def of_frame(self, frame: RobotNode) -> Array:
         pose = self.poses.in_scope(frame)
         if frame.kind == "joint":
             child = frame.find("child")
             below = frame.scope.resolve(child.content) if child is not None else None
             if below is not None:
-                return inverse(self.poses.reached(frame.scope, below)) @ pose
+                return self.between(below, frame)
         return pose if frame.merged is None else inverse(self.poses.in_scope(frame.merged)) @ pose
 
     def holder(self, node: Node) -> Node | None:

@@ -19,7 +19,9 @@ FILE_LIMIT = 1000
 SIZE_LIMIT = 16 * MEGABYTE
 """Larger files are not searched for names."""
 
-_DEFINED = re.compile(r"<xacro:(?:property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)")
+_DEFINED = re.compile(
+    r"<xacro:(property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)|</xacro:macro\b|<!--[\s\S]*?-->"
+)
 _PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _WORD = re.compile(r"[^\W\d][\w.]*")
 _INCLUDED = re.compile(r"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"']([^\"'<>]+)[\"']")
@@ -48,11 +50,13 @@ class _Filename(NamedTuple):
 class _Project:
     """The names in the xacro files of a project: those that occur, and those that are defined."""
 
-    __slots__ = ("filenames", "is_whole", "names", "patterns")
+    __slots__ = ("definers", "filenames", "is_whole", "names", "patterns")
 
     def __init__(self, packages: Packages) -> None:
         self.filenames: dict[str, list[_Filename]] = {}
         self.patterns: list[_Filename] = []
+        self.definers: dict[tuple[str, str], list[Path]] = {}
+        """The files that define a macro, or a property outside of macros: ``("macro", name)``."""
         names: set[str] = set()
         paths = list(packages.files(".xacro", FILE_LIMIT))
         self.is_whole = len(paths) < FILE_LIMIT
@@ -65,7 +69,14 @@ class _Project:
                         self.patterns.append(_Filename(name, path))
                 else:
                     self.filenames.setdefault(last, []).append(_Filename(name, path))
-            names.update(_DEFINED.findall(text))
+            depth = 0
+            for match in _DEFINED.finditer(text):
+                own, name = match.groups()
+                if name:
+                    names.add(name)
+                    if own == "macro" or not depth:
+                        self.definers.setdefault((own, name), []).append(path)
+                depth += (own == "macro") - match[0].startswith("</")
             for match in _PARAMETERS.finditer(text):
                 names.update(_WORD.findall(match[1] or match[2] or ""))
         self.names = frozenset(names)
@@ -129,6 +140,13 @@ def project_names(document: Document) -> frozenset[str]:
     """All that any xacro file of the document's project defines: who includes a library may define it."""
     library = library_of(document)
     return frozenset() if library is None else _project(library, document).names
+
+
+def definer(document: Document, kind: str, name: str) -> Path | None:
+    """The one file of the project that defines a macro, or a property for all; None if there are none or several."""
+    library = library_of(document)
+    found = set() if library is None else set(_project(library, document).definers.get((kind, name), ()))
+    return found.pop() if len(found) == 1 else None
 
 
 def is_whole(document: Document) -> bool:

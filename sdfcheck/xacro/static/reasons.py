@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+import os
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -18,6 +19,7 @@ from sdfcheck.xacro.problems import (
     Problem,
     Reason,
     UndefinedMacro,
+    UndefinedName,
     UndefinedProperty,
 )
 from sdfcheck.xacro.static.definitions import (
@@ -30,6 +32,7 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.likely_mistakes import missing_prefixes, parameter_place
+from sdfcheck.xacro.static.project import definer
 
 # Why a name is not known where a xacro file uses it: what beginners write, in words of its own.
 
@@ -95,7 +98,7 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
             return Reason(f"it is an argument: write `$(arg {name})`", place, "the argument")
     found = [each for read in visible.readings for each in read.properties if each.name == name]
     if not found:
-        return None
+        return _elsewhere(problem, "property", visible)
     first = found[0]
     if all(lacks_prefix(each.element) for each in found):
         return _unprefixed(first.element)
@@ -137,7 +140,29 @@ def _of_macro(problem: UndefinedMacro, visible: Definitions) -> Reason | None:
     macros = visible.macros.get(name, [])
     if macros and all(lacks_prefix(each.element) for each in macros):
         return _unprefixed(macros[0].element)
-    return _late(problem.span, _name(macros[0].element)) if macros else None
+    if not macros:
+        return _elsewhere(problem, "macro", visible)
+    return _late(problem.span, _name(macros[0].element))
+
+
+def _elsewhere(problem: UndefinedName, kind: str, visible: Definitions) -> Reason | None:
+    """That a file of the project defines a name, and is not included."""
+    source = problem.span.source
+    read = next((each for each in visible.readings if each.document.source is source), None)
+    path = None if read is None else definer(read.document, kind, problem.name.removeprefix(PREFIX))
+    if read is None or path is None or any(each.document.path == path for each in visible.readings):
+        return None
+    above = [each.element.span for each in read.includes if not each.conditional]
+    place = next(
+        (each for each in reversed(above) if each.start < problem.span.start), read.elements[0][0].span
+    )
+    name = Path(os.path.relpath(path, source.path.parent)).as_posix()
+    return Reason(
+        f"`{name}` defines it, and is not included",
+        place,
+        "the include belongs below this",
+        help=f'write `<xacro:include filename="{name}"/>` in front of it',
+    )
 
 
 def _of_argument(problem: ExpansionFailure, visible: Definitions) -> Reason | None:

@@ -275,6 +275,16 @@ def test_a_gripper_of_links_outside_stays_outside(palm: str, name: str) -> None:
     assert name in done.text
 
 
+def test_a_joint_whose_pose_leads_nowhere_is_reported() -> None:
+    frame = (
+        '<link name="a"/><link name="b"><pose relative_to="nowhere"/></link><frame name="f" attached_to="b"/>'
+    )
+    joint = '<joint name="j" type="fixed"><parent>a</parent><child>f</child></joint>'
+    done = migrate(f'<sdf version="1.8"><model name="m">{frame}{joint}</model></sdf>', Version(1, 7))
+    assert "<child>f</child>" in done.text
+    assert any("the pose cannot be resolved" in each.message for each in done.losses)
+
+
 @pytest.mark.parametrize(
     ("carrier", "relative", "written"),
     [
