@@ -31,6 +31,7 @@ _REPORTED_BY = (
     ("link: (mass|.*/density)", {LossKind.CHANGED_INERTIA}),
     ("joint: axis/limit/.*", {LossKind.DROPPED_ELEMENT}),
     ("model: (plugin|transmission) .*", {LossKind.KEPT_AS_EXTENSION}),
+    ("link: visual .*/plugin .*", {LossKind.DROPPED_PLUGIN}),
     ("link: (visual|collision)( `.*` shape)?", {LossKind.UNSUPPORTED_GEOMETRY}),
     ("link: name of a (visual|collision)", {LossKind.KEPT_AS_EXTENSION, LossKind.RENAMED}),
     ("link: (visual|collision)( `.*`)? file", {LossKind.CHANGED_URI}),

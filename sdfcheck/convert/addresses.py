@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from enum import Enum
 from pathlib import Path
 
-from sdfcheck.convert.result import Conversion, relative_edits
+from sdfcheck.convert.result import Conversion, relative_edits, spelled
 from sdfcheck.files.discover import MODEL_CONFIG
 from sdfcheck.files.library import library_of
 from sdfcheck.files.overwrite import overwrite, why_not
@@ -125,11 +125,10 @@ def _edits(done: Conversion, written: dict[str, str]) -> tuple[set[Replacement],
     edits: set[Replacement] = set()
     left: dict[str, None] = {}
     for resource in root_of(done.document).resources:
-        uri, span = resource.uri, resource.uri_value.span
-        if uri in written and span.text.strip() == uri:
-            start = span.start + len(span.text) - len(span.text.lstrip())
-            edits.add((start, start + len(uri), escape(written[uri], IN_QUOTES)))
-        else:  # nothing is known to be there, or it is spelled with references such as `&amp;`
+        uri = resource.uri
+        if uri in written and (edit := spelled(resource.uri_value, written[uri])) is not None:
+            edits.add(edit)
+        else:
             left[uri] = None
     return edits, tuple(left)
 
@@ -145,7 +144,9 @@ def _found(done: Conversion, uri: str) -> Path | None:
 def _written(at: Path, folder: Path, style: UriStyle, *, is_copied: bool) -> str:
     """The address of a file in a style; empty where the style has none."""
     if style is UriStyle.FILE:
-        return at.absolute().as_uri()
+        # No consumer of descriptions decodes `%20`: the path is written as it is.
+        path = at.absolute().as_posix()
+        return f"file://{path}" if path.startswith("/") else f"file:///{path}"
     if style is UriStyle.RELATIVE or style is UriStyle.KEEP:
         return Path(relative_path(at, folder)).as_posix()
     if style is UriStyle.MODEL and (model := _model_around(at, folder if is_copied else None)) is not None:

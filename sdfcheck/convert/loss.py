@@ -82,7 +82,7 @@ class LossKind(FindingKind):
     )
     CHANGED_DEFAULT = (
         "CNV012 A default of the source is another one in the target, so it is written out; the robot "
-        "stays the same."
+        "stays the same, unless it is a warning: then consumers ignored in the source what they read now."
     )
     DROPPED_COMMENT = "CNV013 A comment is left out, since what it is in has no counterpart."
     MASSLESS_LINK = (

@@ -18,7 +18,7 @@ from sdfcheck.source.document import Document, Element, Value, read
 from sdfcheck.source.record import Record
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.splice import Replacement, replaced
-from sdfcheck.source.text import Source, relative_path
+from sdfcheck.source.text import IN_QUOTES, Source, escape, relative_path
 
 
 class Comparison(Record):
@@ -148,11 +148,18 @@ def _edit(value: Value, source: Path, target: Path) -> Replacement | None:
     uri = value.text.strip()
     scheme = scheme_of(uri)
     path = file_path(uri) if scheme == "file" else uri
-    if scheme not in {"", "file"} or not path or os.path.isabs(path) or not (source / path).exists():
+    if scheme not in {"", "file"} or not path or os.path.isabs(path):
         return None
-    span = value.span
-    if span.text.strip() != uri:
-        return None  # spelled with references such as `&amp;`
+    if not os.path.exists(source / path):
+        return None
     moved = Path(relative_path(source / path, target)).as_posix()
-    start = span.start + len(span.text) - len(span.text.lstrip())
-    return start, start + len(uri), f"file://{moved}" if scheme else moved
+    return spelled(value, f"file://{moved}" if scheme else moved)
+
+
+def spelled(value: Value, uri: str) -> Replacement | None:
+    """The edit that writes another address in the place of one; None in a text that is not all of one piece."""
+    written = value.span.text.strip()
+    if "<" in written:
+        return None  # a comment or CDATA
+    start = value.span.start + value.span.text.index(written)
+    return start, start + len(written), escape(uri, IN_QUOTES)

@@ -24,8 +24,9 @@ from sdfcheck.formats.version import Version
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.poses import PoseError, written_pose
 from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
-from sdfcheck.source.document import Comment
+from sdfcheck.source.document import Comment, Element
 from sdfcheck.source.record import NamedTuple
 
 # The changes that libsdformat makes when it reads an older file, from data/migration.txt.
@@ -505,23 +506,29 @@ _RELATIVE = Version(1, 7)
 _IMU = "//imu"
 
 
-def renew(node: Xml, version: Version) -> bool:
-    """Say the noise of the imus, and the frames of poses, in a copied element as a version has them.
+def renew(node: Xml, version: Version, source: Element) -> Iterator[tuple[str, Severity]]:
+    """Say the noise of the imus, and the frames of poses, in a copy of ``source`` as a version has them.
 
-    True if there was noise.
+    Gives what there is to report: libsdformat ignores old words in URDF, and in files that declare a newer version.
     """
+    root = root_of(source.document)
     if version >= _RELATIVE:
         for pose in [*_all(node)]:
             if pose.name == "pose" and (frame := pose.attributes.pop("frame", None)):
                 pose.attributes.setdefault("relative_to", frame)
-    changed = False
+                if not root.is_older_than("1.7"):
+                    text = f"a pose in {source.title} is relative to `{frame}` now"
+                    yield f"{text}; libsdformat ignores its `frame` as it was", Severity.WARNING
     if version >= _SINCE:
         for imu in [*_all(node)]:
             noise = imu.find("noise") if imu.name == "imu" else None
             if noise is not None:
                 _for_each_axis(imu, noise)
-                changed = True
-    return changed
+                text = f"the noise of {source.title} is written for each axis, as SDFormat has it since 1.6"
+                if root.is_older_than("1.6"):
+                    yield text, Severity.INFO
+                else:
+                    yield f"{text}; libsdformat ignores it as it was", Severity.WARNING
 
 
 def _for_each_axis(imu: Xml, noise: Xml) -> None:

@@ -36,7 +36,7 @@ from sdfcheck.source.text import Source, relative_path
 # Files that were found beside an included file, as found from the file that includes it.
 
 
-_FILES = frozenset(("diffuse", "environment_map", "filename", "light_map", "normal", "uri"))
+_FILES = frozenset(("color_range_image", "cubemap_uri", "diffuse", "filename", "normal", "texture", "uri"))
 
 
 def relocated(name: str, text: str, found: Included, document: Document) -> str | None:

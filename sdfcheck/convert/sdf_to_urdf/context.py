@@ -12,11 +12,13 @@ from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.sdf_to_urdf.options import Options
 from sdfcheck.convert.sdf_to_urdf.plan import Arrangement, Layout, Naming
 from sdfcheck.convert.writer import PACKAGES
+from sdfcheck.files.uris import scheme_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import Poses
+from sdfcheck.robot.parts.files import names_file
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 from sdfcheck.source.text import relative_path
@@ -43,7 +45,7 @@ class Context:
     frame_names: Mapping[str, str]
     options: Options
     folder: Path
-    """Where the result is going to be."""
+    """That of the source, from where relative addresses of the result lead."""
     ledger: Ledger
     root: Xml
     between: set[str] = field(default_factory=set)
@@ -83,14 +85,11 @@ class Context:
         return self.blobs[reference]
 
 
-# Uris of meshes and textures, as they lead from the URDF.
+# Uris of meshes and textures, as they lead from beside the source.
 
 
 def mesh_uri(context: Context, uri: str, element: Element) -> str:
-    """The uri to write for a file that an element of the source names.
-
-    A relative path is meant from the file that it is in, and must lead from the result.
-    """
+    """The uri to write for a mesh or texture that an element of the source names."""
     package = uri.removeprefix("model://").partition("/")[0]
     given_back = package in context.scope.element.attributes.get(PACKAGES, "").split()
     if (context.options.package_uris or given_back) and uri.startswith("model://"):
@@ -99,9 +98,26 @@ def mesh_uri(context: Context, uri: str, element: Element) -> str:
             LossKind.CHANGED_URI, element, f"`{uri}` is written as `{written}`", Severity.INFO
         )
         return written
-    if "://" in uri or uri.startswith(("/", "file:")) or not uri:
-        return uri
+    return _seen_from_source(context, uri, element)
+
+
+def _seen_from_source(context: Context, uri: str, element: Element) -> str:
+    """A relative path is meant from the file that it is in, which may be an included one."""
     here = element.document.path.parent
-    if os.path.realpath(here) == os.path.realpath(context.folder):
+    if (
+        not uri
+        or scheme_of(uri)
+        or uri.startswith("/")
+        or os.path.realpath(here) == os.path.realpath(context.folder)
+    ):
         return uri
     return Path(relative_path(here / uri, context.folder)).as_posix()
+
+
+def find_files(context: Context) -> None:
+    """Let copies of elements of included files lead to the files beside those."""
+    for node in context.root.walk():
+        if node.origin is not None and names_file(node):
+            beside = os.path.join(node.origin.document.path.parent, node.content)
+            if os.path.exists(beside):
+                node.write(_seen_from_source(context, node.content, node.origin))

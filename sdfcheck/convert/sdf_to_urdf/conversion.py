@@ -22,7 +22,7 @@ from sdfcheck.convert.sdf_to_urdf.carried import (
     carry_custom,
     namespace_of,
 )
-from sdfcheck.convert.sdf_to_urdf.context import Context
+from sdfcheck.convert.sdf_to_urdf.context import Context, find_files
 from sdfcheck.convert.sdf_to_urdf.extensions import (
     keep_base,
     keep_frame,
@@ -224,16 +224,14 @@ def add_frames(context: Context) -> None:
         context.ledger.take_parts(frame.element, "pose")
 
 
-def convert(
-    document: Document, options: Options | None = None, *, folder: Path | None = None, verified: bool = True
-) -> Conversion:
-    """Convert the model of a document; ``folder`` is where the result is going to be.
+def convert(document: Document, options: Options | None = None, *, verified: bool = True) -> Conversion:
+    """Convert the model of a document.
 
     Raises:
         WrongUsage: the document has no model, or several and none is chosen.
         NotConvertible: URDF cannot say it, or it cannot be worked out.
     """
-    options, folder = options or Options(), folder or document.path.parent
+    options = options or Options()
     source, brought = document, list[Element]()
     if needs_writing_out(document):
         document, expansion = written_out(document)
@@ -241,10 +239,10 @@ def convert(
     if is_marked(document):
         # Marks that somebody has changed since may say what URDF cannot: then the document counts as it is.
         with suppress(NotConvertible):
-            done = _converted(source, separated(document), brought, options, folder, verified=verified)
+            done = _converted(source, separated(document), brought, options, verified=verified)
             if done.verification is None or done.verification.is_equal:
                 return done
-    return _converted(source, document, brought, options, folder, verified=verified)
+    return _converted(source, document, brought, options, verified=verified)
 
 
 def _converted(
@@ -252,14 +250,13 @@ def _converted(
     document: Document,
     brought: list[Element],
     options: Options,
-    folder: Path,
     *,
     verified: bool,
 ) -> Conversion:
     """Convert a document, as which the source is read; the includes that ``brought`` it are written out there."""
     scope = choose(document, options.model)
     try:
-        context = _prepare(scope, options, folder)
+        context = _prepare(scope, options, source.path.parent)
         _write(context)
     except (DescriptionError, PoseError) as error:
         raise refusal(getattr(error, "element", scope.element), str(error)) from None
@@ -351,6 +348,7 @@ def _write(context: Context) -> None:
     brought = enter_models(context)
     write_actuators(context)
     context.root.extend(*context.blobs.values())
+    find_files(context)
     close(context, brought)
 
 

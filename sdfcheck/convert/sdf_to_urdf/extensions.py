@@ -108,9 +108,8 @@ def _keep(
     for child in kept:
         carry_comments(context, holder, child)
         copy = copied(child)
-        if renew(copy, NEWEST):
-            message = f"the noise of {child.title} is written for each axis, as SDFormat has it since 1.6"
-            context.ledger.note(LossKind.CHANGED_DEFAULT, child, message, Severity.INFO)
+        for said in renew(copy, NEWEST, child):
+            context.ledger.note(LossKind.CHANGED_DEFAULT, child, *said)
         written = pose(child) if pose is not None else None
         if written is not None:
             place = copy.find("pose")

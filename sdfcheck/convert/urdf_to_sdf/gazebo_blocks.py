@@ -40,9 +40,8 @@ def copied_entry(context: Context, entry: Element, holder: Xml) -> Xml:
     context.ledger.copy(entry)
     context.copies.append((entry, made, holder))
     _settle_names(context, entry, made, holder)
-    if renew(made, context.options.version):
-        text = f"the noise of {entry.title} is written for each axis, as SDFormat has it since 1.6"
-        context.note(entry, LossKind.CHANGED_DEFAULT, text, Severity.INFO)
+    for said in renew(made, context.options.version, entry):
+        context.note(entry, LossKind.CHANGED_DEFAULT, *said)
     return made
 
 

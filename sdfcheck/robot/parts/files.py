@@ -158,6 +158,8 @@ class Resource(FileUse):
         """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
         if self._misspelling is not None or self.is_absolute or self.location is None:
             return False
+        if "/" not in self.uri and _is_for_gazebo(self.element):
+            return False  # Gazebo knows where its own pictures are
         location = self.location
         return location.path is None and location.is_local and not self._is_among_textures
 
@@ -239,23 +241,23 @@ def _named_in_sdf(index: Index) -> Iterator[Value]:
 
 
 def _named_in_urdf(index: Index) -> Iterator[Value]:
-    """Meshes and textures; and what is in ``<gazebo>``, which knows where its own pictures are."""
+    """Meshes and textures; and what is in ``<gazebo>``."""
     for kind in ("mesh", "texture"):
         for element in index.get(kind, ()):
             value = element.attribute("filename")
             if value is not None and not _is_for_gazebo(element):
                 yield value
     for name in _PLACES:
-        for value in _named_by(index.get(name, ())):
-            if "/" in value.text and _is_for_gazebo(value.element):
-                yield value
+        yield from (value for value in _named_by(index.get(name, ())) if _is_for_gazebo(value.element))
 
 
 def _named_by(elements: Iterable[Element]) -> Iterator[Value]:
-    for element in elements:
-        parent = element.parent
-        if parent is not None and parent.name in _PLACES[element.name]:
-            yield element.own_value
+    return (element.own_value for element in elements if names_file(element))
+
+
+def names_file(element: Element) -> bool:
+    """Is it one of those elements of SDFormat whose text names a file?"""
+    return element.parent is not None and element.parent.name in _PLACES.get(element.name, ())
 
 
 def _is_for_gazebo(element: Element) -> bool:

@@ -158,6 +158,57 @@ def test_included_files_are_found_from_the_new_place(package: Path) -> None:
     assert uris(Path("out/w.sdf").read_text()) == ["../bot/box/box.sdf"]
 
 
+BODY = "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+PICTURES = (
+    "<material><diffuse>1 1 1 1</diffuse><pbr><metal>\n<albedo_map>materials/a.png</albedo_map>\n"
+    "<normal_map>b.png</normal_map>\n</metal></pbr></material>"
+)
+TEXTURED = (
+    f'<sdf version="1.9"><model name="m"><link name="l">{BODY}<visual name="v">'
+    f"<geometry><box><size>1 1 1</size></box></geometry>{PICTURES}</visual></link></model></sdf>"
+)
+AROUND = (
+    f'<sdf version="1.9"><model name="top"><link name="base">{BODY}</link><include><uri>m</uri></include>'
+    '<joint name="j" type="fixed"><parent>base</parent><child>m::l</child></joint></model></sdf>'
+)
+
+
+@pytest.mark.parametrize("source", ["m/model.sdf", "top.sdf"])
+@pytest.mark.parametrize("target", ["out/r.urdf", "r.urdf"])
+def test_pictures_beside_a_model_are_found_from_a_robot_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, source: str, target: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "m" / "materials").mkdir(parents=True)
+    for picture in ("materials/a.png", "b.png"):
+        (tmp_path / "m" / picture).write_text("picture")
+    config = "<model><name>m</name><version>1.0</version><sdf>model.sdf</sdf></model>"
+    (tmp_path / "m" / "model.config").write_text(config)
+    (tmp_path / "m" / "model.sdf").write_text(TEXTURED)
+    (tmp_path / "top.sdf").write_text(AROUND)
+    assert convert("-o", target, kind="sdf-to-urdf", source=source) == 0
+    place = "../m" if target.startswith("out") else "m"
+    text = Path(target).read_text()
+    assert f"<albedo_map>{place}/materials/a.png</albedo_map>" in text
+    assert f"<normal_map>{place}/b.png</normal_map>" in text
+
+
+@pytest.mark.parametrize("style", ["keep", "relative", "file"])
+def test_addresses_hold_any_character(package: Path, style: str) -> None:
+    folder = package / "a b%20&c"
+    folder.mkdir()
+    (folder / "a.obj").write_text(FILES["meshes/seen/a.obj"])
+    text = URDF.replace("package://bot/meshes/seen/a.obj", "../a b%20&amp;c/a.obj")
+    (package / "urdf" / "r.urdf").write_text(text)
+    assert convert("-o", "o&t/r.sdf", "--uri-style", style) == 0
+    assert convert("-o", "o/r.urdf", kind="sdf-to-urdf", source="o&t/r.sdf") == 0
+    for result in ("o&t/r.sdf", "o/r.urdf"):
+        found = next(iter(load(Path(result)).resources))
+        assert found.location is not None
+        assert found.location.path is not None, f"libsdformat cuts off the scheme of {found.uri}, no more"
+        assert found.location.path.samefile(folder / "a.obj")
+
+
 def test_a_folder_takes_results_under_their_own_names(package: Path) -> None:
     Path("out").mkdir()
     assert convert("-o", "out") == 0

@@ -142,6 +142,26 @@ def test_the_noise_of_old_imus_is_said_for_each_axis() -> None:
     assert "<rate>" in urdf_to_sdf(robot(after=after), Options(Version(1, 5))).text
 
 
+@pytest.mark.parametrize(("version", "severity"), [("1.5", Severity.INFO), ("1.7", Severity.WARNING)])
+def test_old_noise_that_consumers_ignored_is_a_warning(version: str, severity: Severity) -> None:
+    sensor = f'<sensor name="s" type="imu">{NOISE}</sensor>'
+    text = f'<sdf version="{version}"><model name="m"><link name="l">{sensor}</link></model></sdf>'
+    losses = convert(read(text.encode(), Path("m.sdf"))).losses
+    assert [loss.severity for loss in losses if "the noise of" in loss.message] == [severity]
+    block = f'<gazebo reference="l">{sensor}</gazebo>'
+    losses = urdf_to_sdf(robot(after=block), Options()).losses
+    assert [loss.severity for loss in losses if "the noise of" in loss.message] == [Severity.WARNING]
+
+
+def test_a_pose_in_an_old_frame_that_consumers_ignored_is_a_warning() -> None:
+    block = '<gazebo reference="l"><sensor name="s" type="imu"><pose frame="l">1 0 0 0 0 0</pose></sensor></gazebo>'
+    done = urdf_to_sdf(robot(after=block), Options())
+    assert '<pose relative_to="l">' in done.text
+    (loss,) = done.losses
+    assert loss.severity is Severity.WARNING
+    assert "libsdformat ignores its `frame`" in loss.message
+
+
 def test_in_urdf_as_well() -> None:
     text = (
         f'<sdf version="1.5"><model name="m"><link name="l"><sensor name="s" type="imu">{NOISE}</sensor>'
