@@ -310,6 +310,8 @@ _PIECE = re.compile(
     re.DOTALL,
 )
 _WORD = re.compile(r"\S+")
+_LONG = 1000
+"""Characters of a start tag that is kept."""
 
 
 class Spans:
@@ -318,11 +320,13 @@ class Spans:
     Element number ``n`` of the tree, in document order, is start tag ``n`` of the scan.
     """
 
-    __slots__ = ("_last", "scan", "source")
+    __slots__ = ("_last", "_long", "scan", "source")
 
     def __init__(self, source: Source, scan: Scan) -> None:
         self.source = source
         self.scan = scan
+        self._long: dict[int, StartTag] = {}
+        """Tags that take a while to read, such as those of macros with many parameters."""
         self._last: tuple[int, StartTag] | None = None
         """The number of a start tag, and the tag: what is asked about next is mostly in the same one."""
 
@@ -365,8 +369,13 @@ class Spans:
 
         number = element.index
         if self._last is None or self._last[0] != number:
-            tag = self.scan.odd.get(number) or parse_start_tag(self.source, self.scan.starts[number])[0]
+            start = self.scan.starts[number]
+            tag = (
+                self._long.get(number) or self.scan.odd.get(number) or parse_start_tag(self.source, start)[0]
+            )
             self._last = number, tag
+            if tag.end - start > _LONG:
+                self._long[number] = tag
         return self._last[1]
 
     def attribute_name(self, element: Element, name: str) -> Span:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
 from types import MappingProxyType
 
 from sdfcheck.convert.comparison import Change
@@ -105,23 +108,57 @@ def _address(part: Part) -> tuple[str | None, str | None]:
     return model, "::".join(reversed(names)) or None
 
 
+class _Nested:
+    """The parts in one text, of which each is inside of another one or beside it; the outer ones are added first."""
+
+    def __init__(self) -> None:
+        self._parts: list[_Part] = []
+
+    def append(self, part: _Part) -> None:
+        self._parts.append(part)
+
+    @cached_property
+    def _rows(self) -> tuple[list[int], list[tuple[_Part, int]]]:
+        """Where the parts start, and each with the row of the part around it, or -1."""
+        parts = sorted(self._parts, key=lambda part: part.whole.start)
+        rows: list[tuple[_Part, int]] = []
+        outer = -1
+        for row, part in enumerate(parts):
+            while outer >= 0 and rows[outer][0].whole.end <= part.whole.start:
+                outer = rows[outer][1]
+            rows.append((part, outer))
+            outer = row
+        return [part.whole.start for part in parts], rows
+
+    def around(self, offset: int) -> _Part | None:
+        """The innermost part around a place."""
+        starts, rows = self._rows
+        row = bisect_right(starts, offset) - 1
+        while row >= 0 and rows[row][0].whole.end <= offset:
+            row = rows[row][1]
+        return rows[row][0] if row >= 0 else None
+
+
 class Parts:
     """The parts that a file writes, by place and by name."""
 
     def __init__(self, document: Document) -> None:
         self._document = document
         self._parts = sorted(_parts(document), key=lambda part: part.whole.end - part.whole.start)
+        self._nested: dict[Path, _Nested] = {}
+        for part in reversed(self._parts):
+            self._nested.setdefault(part.whole.source.path, _Nested()).append(part)
         self._written: dict[_Tag, list[_Part]] = {}
         self._made: dict[_Tag, list[_Part]] = {}
         """The name of a macro's call → the links that it made."""
 
     def around(self, span: Span) -> Json:
         """The innermost part around a place; of what a macro made, the part that it was made for."""
-        for part in self._parts:
-            whole = part.whole
-            if whole.source.path == span.source.path and whole.start <= span.start < whole.end:
-                return {"model": part.model, "part": part.name, "layer": part.layer}
-        return {"model": None, "part": None, "layer": None}
+        nested = self._nested.get(span.source.path)
+        part = None if nested is None else nested.around(span.start)
+        if part is None:
+            return {"model": None, "part": None, "layer": None}
+        return {"model": part.model, "part": part.name, "layer": part.layer}
 
     def at(self, element: Element) -> list[Json]:
         """The parts that an element of one of the files is or makes, or those of the nearest element around it."""
