@@ -44,6 +44,11 @@ class ShapesWithoutMass(Rule):
             f'<link name="b">{SHAPE}</link><link name="c">{MASS.format(1)}</link>',
             why="the second link is there for its inertia",
         ),
+        Good(
+            f'<link name="b">{SHAPE}</link>'
+            f'<link name="c">{SHAPE.replace("collision", "visual")}{MASS.format(1)}</link>',
+            why="the second link is there for its inertia, and shows where",
+        ),
     )
 
     @staticmethod
@@ -70,4 +75,4 @@ def weight(link: Link) -> Link | None:
         return None
     tied = [joint.child_link for joint in link.child_joints if joint.is_fixed]
     weighed = [other for other in tied if other is not None and other.has_mass]
-    return weighed[0] if weighed and all(other.shapes for other in weighed) else None
+    return weighed[0] if weighed and all(other.has("collision") for other in weighed) else None

@@ -40,13 +40,22 @@ class ControlPluginWithoutParameters(Rule):
             '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
             "<parameters>controllers.yaml</parameters></plugin></gazebo>"
         ),
+        Good(
+            '<xacro:arg name="file" default=""/><gazebo>'
+            '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>$(arg file)</parameters></plugin></gazebo>",
+            scaffold=IN_ROBOT.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ', 1),
+            file="robot.urdf.xacro",
+            why="the launch file gives the argument",
+        ),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
         if plugin.filename not in NEEDY or plugin.is_template:
             return False
-        return not any(each.content for each in plugin.children("parameters"))
+        # With an argument in it that is empty by default, the launch file gives the path.
+        return not any(each.content or each.own_value.span.text for each in plugin.children("parameters"))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         yield self.diagnostic(plugin, f"{plugin.title} needs `<parameters>`, the file with its controllers")

@@ -71,7 +71,7 @@ class MisreadValue(Rule):
                 affects=affects,
             )
             return
-        as_meant = cause == "HEXADECIMAL" or part.rstrip(TRAILERS) == reading.read_as
+        as_meant = cause == "HEXADECIMAL" or is_same(part.rstrip(TRAILERS), reading.read_as)
         if as_meant and not affects:
             affects = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), accepts("reads what was meant"))
         yield self.diagnostic(
@@ -80,3 +80,11 @@ class MisreadValue(Rule):
             severity=Severity.WARNING if as_meant else None,
             affects=affects,
         )
+
+
+def is_same(written: str, read: str) -> bool:
+    """Whether two texts are the same text or number, such as `.5` and `0.5`."""
+    try:
+        return written == read or float(written) == float(read)
+    except ValueError:
+        return False

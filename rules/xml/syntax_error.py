@@ -179,6 +179,11 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             '<sdf version="1.12"><model name="m"><!-- a «<!--» b --> <link name="a"/> --></model></sdf>',
             says="a comment begins inside a comment",
         ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><!-- <link name="b"> «<!--» b --></link> --><link name="a"/>'
+            "</model></sdf>",
+            says="a comment begins inside a comment",
+        ),
         Bad('<sdf version="1.12">\n«<<<<<<<» HEAD\n=======\n>>>>>>> topic\n</sdf>', says="merge conflict"),
         Bad(
             '<?xml version="«0.0»"?>\n<sdf version="1.12"><world name="w"/></sdf>',
@@ -203,7 +208,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         text = span.text.splitlines()[0][:60] if span.text else ""
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
-        affects = dict.fromkeys(Consumer, READ) if kind in TAKEN else {}
+        is_taken = kind in TAKEN and (kind is not Kind.NESTED_COMMENT or not name)
+        affects = dict.fromkeys(Consumer, READ) if is_taken else {}
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:

@@ -31,6 +31,8 @@ class InnerComment(NamedTuple):
     start: int
     unclosed: bool
     rest_end: int
+    is_torn: bool = False
+    """Elements that begin in the comment end in the rest."""
 
 
 def line_end(text: str, at: int, limit: int | None = None) -> int:
@@ -80,15 +82,17 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     following = text.find("<!--", end, end + _NEAR)
     leftover = text.find("-->", end, following if following >= 0 else end + _NEAR)
     if leftover >= 0:
-        return InnerComment(inner, False, leftover + 3)
+        return InnerComment(inner, False, leftover + 3, _balance(text, end, leftover) < 0)
     # An outer comment without end swallows what is between its words and the next comment.
     markup = text.find("<", at + 4)
     if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
         return InnerComment(inner, True, end)
-    balance = 0
-    for tag in _END_TAG.finditer(text, at + 4, min(inner, at + _NEAR)):
-        balance += -1 if tag[1] else not tag[2]
-    return InnerComment(inner, True, end) if balance < 0 else None
+    return InnerComment(inner, True, end) if _balance(text, at + 4, min(inner, at + _NEAR)) < 0 else None
+
+
+def _balance(text: str, begin: int, end: int) -> int:
+    """How many more elements begin than end."""
+    return sum(-1 if tag[1] else not tag[2] for tag in _END_TAG.finditer(text, begin, end))
 
 
 def section_end(text: str, begin: int) -> int:

@@ -235,8 +235,10 @@ class _Tokenizer:
         else:
             here = self.source.span(inner.start, inner.start + 4)
             close = self.source.span(end - 3, end)
-            self.note(SyntaxDefect(here, SyntaxKind.NESTED_COMMENT, close))
+            self.note(SyntaxDefect(here, SyntaxKind.NESTED_COMMENT, close, "torn" if inner.is_torn else ""))
             self.doubtful.append((at, inner.rest_end))
+            if inner.is_torn:  # every consumer refuses the rest: it is read as the comment that was meant
+                end = inner.rest_end
         self.pieces.append(Token(TokenKind.COMMENT, at, end))
         return end
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator
 from fnmatch import fnmatch
@@ -31,13 +32,13 @@ _ARGUMENT = re.compile(
 """An argument or property may hold the name of a file that is included."""
 _GLOB = re.compile(r"[*?\[]")
 _LITERAL = re.compile(r"\w")
-"""A name of which more is written than the ending, so that not every file may be meant."""
+"""A path of which more is written than the ending, so that not every file may be meant."""
 _EXPRESSION = re.compile(r"\$\([^()]*\)|\$\{[^{}]*\}")
 
 
 def _pattern(path: str) -> str:
-    """The name at the end of a path; its expressions may be anything."""
-    return _EXPRESSION.sub("*", path).rpartition("/")[2]
+    """A path whose expressions may be anything."""
+    return _EXPRESSION.sub("*", path)
 
 
 class _Filename(NamedTuple):
@@ -63,9 +64,9 @@ class _Project:
         for path in paths:
             text = text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
-                last = _pattern(name)
+                folder, _, last = _pattern(name).rpartition("/")
                 if _GLOB.search(last):
-                    if _LITERAL.search(last.removesuffix(".xacro").removesuffix(".urdf")):
+                    if _LITERAL.search(folder + last.removesuffix(".xacro").removesuffix(".urdf")):
                         self.patterns.append(_Filename(name, path))
                 else:
                     self.filenames.setdefault(last, []).append(_Filename(name, path))
@@ -83,7 +84,7 @@ class _Project:
 
     def of(self, name: str) -> list[_Filename]:
         """The paths in include elements that may be those of a file of this name."""
-        globs = [each for each in self.patterns if fnmatch(name, _pattern(each.text))]
+        globs = [each for each in self.patterns if fnmatch(name, _pattern(each.text).rpartition("/")[2])]
         return [*self.filenames.get(name, ()), *globs]
 
 
@@ -119,12 +120,15 @@ def _leads(filename: _Filename, own: str, packages: Packages, library: Library) 
         package = packages.find(found[1])
         if package is None:
             # A package of the project has a folder, if it is known by that alone.
-            return found[1] in Path(own).parts and fnmatch(Path(own).as_posix(), f"*{text[first.end() :]}")
+            return found[1] in Path(own).parts and fnmatch(
+                Path(own).as_posix(), f"*{_pattern(text[first.end() :])}"
+            )
         text, folder = text[first.end() :].lstrip("/"), package
     if is_literal(text) and not _GLOB.search(text):
         return library.disk.real(packages.locate(folder / text)) == own
-    rest = max(text.rfind("}"), text.rfind(")")) + 1
-    return fnmatch(Path(own).as_posix(), f"*{text[rest:]}")
+    pattern = _pattern(text)
+    whole = pattern if pattern.startswith("*") else os.path.normpath(Path(library.disk.real(folder), pattern))
+    return fnmatch(Path(own).as_posix(), Path(whole).as_posix())
 
 
 def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:

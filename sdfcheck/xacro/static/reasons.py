@@ -221,17 +221,17 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
         for each in path.parent.iterdir():
             if each.name.casefold() == path.name.casefold():
                 return Reason(f"did you mean `{each.name}`?")
-    return _of_default(path, document)
+    return _of_default(path, problem.span.text, document)
 
 
-def _of_default(path: Path, document: Document) -> Reason | None:
+def _of_default(path: Path, written: str, document: Document) -> Reason | None:
     """The argument of a file whose default names what is missing: with another value the path may be there."""
     read = reading(document)
     missing = next((each.name for each in (*reversed(path.parents), path) if not each.exists()), "")
     for name, default in read.arguments.items():
-        if default and default == missing:
+        if default == missing if default else f"$(arg {name})" in written:
             place = read.argument_elements[name].attribute("default")
-            words = f"the default of argument `{name}` is `{default}`"
+            words = f"the default of argument `{name}` is {f'`{default}`' if default else 'empty'}"
             return Reason(words, place.span if place is not None else None, "its default", argument=name)
     return None
 

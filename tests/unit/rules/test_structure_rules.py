@@ -141,3 +141,36 @@ def test_a_model_without_root_is_known_by_the_name_of_its_file(tmp_path: Path) -
 def test_a_pose_that_a_comment_cuts_off_is_refused(text: str, is_refused: bool) -> None:
     (found,) = sdfcheck.lint(in_link(text), isolated=True, select=["SCH012"]).diagnostics
     assert dict(found.affects)["gazebo"].is_refusal is is_refused
+
+
+@pytest.mark.parametrize(("text", "severity"), [(".5,", "warning"), ("-0.5;", "warning"), (".5kg", "error")])
+def test_a_number_with_a_comma_after_it_is_read_as_meant(text: str, severity: str) -> None:
+    inertial = f"<inertial><mass>{text}</mass></inertial>"
+    (found,) = sdfcheck.lint(in_link(inertial), isolated=True, select=["SCH012"]).diagnostics
+    assert found.severity.value == severity
+
+
+@pytest.mark.parametrize(
+    ("text", "severity"), [("<sdf version='1.12'>{}</sdf>", "warning"), ("<robot>{}</robot>", "error")]
+)
+def test_an_undeclared_prefix_is_an_error_where_python_reads_the_format(text: str, severity: str) -> None:
+    document = text.format("<model name='m'><mine:note/><link name='l'/></model>")
+    (found,) = sdfcheck.lint(document, isolated=True, select=["NS003"]).diagnostics
+    assert found.severity.value == severity
+
+
+def test_a_file_that_an_argument_chooses_is_a_part_of_the_robot(tmp_path: Path) -> None:
+    head = '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">'
+    robot, arm = tmp_path / "robot.urdf.xacro", tmp_path / "arms" / "small.urdf.xacro"
+    arm.parent.mkdir()
+    chosen = '<xacro:include filename="arms/$(arg arm).urdf.xacro"/>'
+    robot.write_text(
+        f'{head}<xacro:arg name="arm" default=""/><xacro:property name="gap" value="1"/>'
+        f'<link name="base"/>{chosen}</robot>'
+    )
+    arm.write_text(f'{head}<link name="l${{gap}}"/></robot>')
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    found = {path: sdfcheck.lint(path, isolated=True, select=["XAC"]).diagnostics for path in (robot, arm)}
+    assert [(each.code, each.severity.value) for each in found[robot]] == [("XAC001", "warning")]
+    assert "the default of argument `arm` is empty" in found[robot][0].message
+    assert not [each for each in found[arm] if each.severity.value == "error"]
