@@ -17,8 +17,8 @@ class UndeclaredPrefix(Rule):
     A declaration holds from its own start tag to the matching end tag, no further. The
     custom-elements proposal asks for declared prefixes and advises to declare them on
     the root element. libsdformat and Drake read prefixes as plain text and do not mind,
-    but every namespace-aware XML parser (Python's among them) refuses the file: an error in
-    URDF and xacro, which tools in Python read, and a warning in SDFormat.
+    but every namespace-aware XML parser (Python's among them) refuses the file: an error,
+    though a simulator may never meet it.
     """
 
     code = "NS003"
@@ -76,7 +76,6 @@ class UndeclaredPrefix(Rule):
         name, times = prefix.name, used(len(prefix.undeclared))
         elsewhere = prefix.declarations[0] if prefix.declarations else None
         namespace = (elsewhere.namespace if elsewhere else "") or WELL_KNOWN.get(name, "")
-        severity = Severity.WARNING if prefix.document.kind.value == "sdf" else None
         fix: Fix | None = None
         advice: str | None = f'declare it on the root element: xmlns:{name}="…"'
         if namespace:
@@ -85,10 +84,8 @@ class UndeclaredPrefix(Rule):
             fix = make_fix("declare it on the root element", (declaration,))
         if elsewhere is None:
             message = f"prefix `{name}` is not declared{times}"
-            yield self.diagnostic(prefix.undeclared[0], message, fix=fix, help=advice, severity=severity)
+            yield self.diagnostic(prefix.undeclared[0], message, fix=fix, help=advice)
             return
         labels = {elsewhere: f"declared here, in scope until line {elsewhere.scope_end.begin.line}"}
         message = f"prefix `{name}` is not declared here{times}"
-        yield self.diagnostic(
-            prefix.undeclared[0], message, labels=labels, fix=fix, help=advice, severity=severity
-        )
+        yield self.diagnostic(prefix.undeclared[0], message, labels=labels, fix=fix, help=advice)

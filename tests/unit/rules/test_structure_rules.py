@@ -150,15 +150,6 @@ def test_a_number_with_a_comma_after_it_is_read_as_meant(text: str, severity: st
     assert found.severity.value == severity
 
 
-@pytest.mark.parametrize(
-    ("text", "severity"), [("<sdf version='1.12'>{}</sdf>", "warning"), ("<robot>{}</robot>", "error")]
-)
-def test_an_undeclared_prefix_is_an_error_where_python_reads_the_format(text: str, severity: str) -> None:
-    document = text.format("<model name='m'><mine:note/><link name='l'/></model>")
-    (found,) = sdfcheck.lint(document, isolated=True, select=["NS003"]).diagnostics
-    assert found.severity.value == severity
-
-
 def test_a_file_that_an_argument_chooses_is_a_part_of_the_robot(tmp_path: Path) -> None:
     head = '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">'
     robot, arm = tmp_path / "robot.urdf.xacro", tmp_path / "arms" / "small.urdf.xacro"
