@@ -115,7 +115,6 @@ class Description(NamedTuple):
 
 def missing(name: str, holder: str, known: list[str]) -> UnknownPlace:
     """The complaint about a name that its holder does not know."""
-
     near = suggest(name, known)
     return UnknownPlace(f"{holder} has no `{name}`" + (f", did you mean `{near}`?" if near else ""))
 
@@ -614,7 +613,6 @@ def describe(
 
     Raises: UnknownPlace: the format has no such place.
     """
-
     dialect, steps = _taken_apart(question)
     robots = URDF.schema(URDF.newest)
     if dialect == "urdf":

@@ -198,7 +198,6 @@ def lint_included(
 
     It is somebody else's file: its warnings are theirs, and it is not fixed.
     """
-
     path = document.path
     settings = configuration.settings_for(path)
     if settings.excludes(path):

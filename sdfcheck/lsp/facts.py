@@ -84,7 +84,6 @@ def _written(document: Document, symbol: Symbol) -> Node | None:
 
 
 def _matches(node: Node, symbol: Symbol) -> bool:
-
     own = symbol_of(node)
     return own is not None and own.key == symbol.key and node.kind == symbol.kind
 

@@ -195,7 +195,6 @@ class Findings:
 
 
 def _with_way(foreign: _Foreign) -> Sequence[Diagnostic]:
-
     by: tuple[Value, ...] = foreign.document.included_by
     if not by:
         return ()

@@ -96,6 +96,8 @@ def _line_end(source: Source, offset: int) -> int:
     return min(ends, default=len(source.text))
 
 
+# The content.
+
 Json = dict[str, Any]
 
 MOST_FRAMES = 5000

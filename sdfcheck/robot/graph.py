@@ -488,7 +488,6 @@ class Part:
         ``name`` is that of an attribute or a child element, ``camera/image/width`` that of what
         is deeper. Raises NotFound where the format has no such value here.
         """
-
         return setting(self, name)
 
     @property
@@ -778,7 +777,6 @@ class Node(Part):
     @property
     def written_base(self) -> str:
         """The name that its pose is written relative to; empty where there is none."""
-
         return reference_of(self.pose_element)
 
     @property
@@ -1145,19 +1143,16 @@ class Scope(Node):
 
     def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
         """The intended name of a reference that is not resolved here: none of ``but``, and of ``kind``."""
-
         return guess(self, reference, but, kind)
 
     @lazy
     def unresolved(self) -> Unresolved:
         """The names by which its joints refer to nothing, with the ends of joints that use them."""
-
         return unresolved_ends(self)
 
     @lazy
     def lost_names(self) -> frozenset[str]:
         """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
-
         return lost_names(self, self.unresolved)
 
     def names(self) -> Iterator[str]:
@@ -1197,12 +1192,10 @@ class Scope(Node):
 
     def model(self, key: str | int) -> Model:
         """A model by name (``outer::inner`` reaches into models) or by index; raises NotFound."""
-
         return pick(self, "model", self.models, key)
 
     def joint(self, key: str | int) -> Joint:
         """A joint by name, also of an inner model (``arm::elbow``), or by index; raises NotFound."""
-
         return pick(self, "joint", self.joints, key)
 
     # Filling
@@ -1262,7 +1255,6 @@ class Scope(Node):
 
 def _named_children(source: Scope) -> Iterable[Child]:
     """The named parts of a world or model."""
-
     surveyed = survey(source.document)
     children: Iterable[Child] = surveyed.named.get(source.element, ())
     return _without_clashes(children) if surveyed.version < _SEVEN else children
@@ -1538,7 +1530,6 @@ class Model(Scope):
     @lazy
     def extended(self) -> Model:
         """The same robot with what its ``<gazebo>`` blocks add, as Gazebo has it."""
-
         return cast("Model", class_named("ExtendedModel")(self, self.element))
 
     # Properties
@@ -1665,13 +1656,11 @@ class Model(Scope):
     @lazy
     def link_names(self) -> LinkNames:
         """In URDF: the names by which joints call links, and those that the links have."""
-
         return LinkNames(self)
 
     @lazy
     def material_names(self) -> MaterialNames:
         """In URDF: what the names of its materials reach."""
-
         return MaterialNames(self)
 
     def as_built_by(self, consumer: Builder[Built_co]) -> Built_co:
@@ -1734,7 +1723,6 @@ class Model(Scope):
 
     def link(self, key: str | int) -> Link:
         """A link by name, also of an inner model (``arm::hand``), or by index; raises NotFound."""
-
         return pick(self, "link", self.links, key)
 
     def all_links(self) -> Iterator[Link]:

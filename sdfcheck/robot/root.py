@@ -309,7 +309,6 @@ class Root(Part):
 
     @property
     def _survey(self) -> Survey:
-
         return survey(self.document)
 
     @property
@@ -331,12 +330,10 @@ class Root(Part):
 
     def world(self, key: str | int) -> World:
         """A world by name or index; raises NotFound."""
-
         return pick(self, "world", self.worlds, key)
 
     def model(self, key: str | int) -> Model:
         """A model that is in no world, by name or index; raises NotFound."""
-
         return pick(self, "model", self.models, key)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 
@@ -109,34 +108,25 @@ def _address(part: Part) -> tuple[str | None, str | None]:
 
 
 class _Nested:
-    """The parts in one text, of which each is inside of another one or beside it; the outer ones are added first."""
+    """The parts in one text, of which each is inside of another one or beside it; the outer ones come first."""
 
-    def __init__(self) -> None:
-        self._parts: list[_Part] = []
-
-    def append(self, part: _Part) -> None:
-        self._parts.append(part)
-
-    @cached_property
-    def _rows(self) -> tuple[list[int], list[tuple[_Part, int]]]:
-        """Where the parts start, and each with the row of the part around it, or -1."""
-        parts = sorted(self._parts, key=lambda part: part.whole.start)
-        rows: list[tuple[_Part, int]] = []
+    def __init__(self, parts: Iterable[_Part]) -> None:
+        self._rows: list[tuple[_Part, int]] = []
+        """Each part in the order of the text, with the row of the part around it, or -1."""
         outer = -1
-        for row, part in enumerate(parts):
-            while outer >= 0 and rows[outer][0].whole.end <= part.whole.start:
-                outer = rows[outer][1]
-            rows.append((part, outer))
+        for row, part in enumerate(sorted(parts, key=lambda part: part.whole.start)):
+            while outer >= 0 and self._rows[outer][0].whole.end <= part.whole.start:
+                outer = self._rows[outer][1]
+            self._rows.append((part, outer))
             outer = row
-        return [part.whole.start for part in parts], rows
+        self._starts = [part.whole.start for part, _ in self._rows]
 
     def around(self, offset: int) -> _Part | None:
         """The innermost part around a place."""
-        starts, rows = self._rows
-        row = bisect_right(starts, offset) - 1
-        while row >= 0 and rows[row][0].whole.end <= offset:
-            row = rows[row][1]
-        return rows[row][0] if row >= 0 else None
+        row = bisect_right(self._starts, offset) - 1
+        while row >= 0 and self._rows[row][0].whole.end <= offset:
+            row = self._rows[row][1]
+        return self._rows[row][0] if row >= 0 else None
 
 
 class Parts:
@@ -145,9 +135,10 @@ class Parts:
     def __init__(self, document: Document) -> None:
         self._document = document
         self._parts = sorted(_parts(document), key=lambda part: part.whole.end - part.whole.start)
-        self._nested: dict[Path, _Nested] = {}
+        by_text: dict[Path, list[_Part]] = {}
         for part in reversed(self._parts):
-            self._nested.setdefault(part.whole.source.path, _Nested()).append(part)
+            by_text.setdefault(part.whole.source.path, []).append(part)
+        self._nested = {path: _Nested(parts) for path, parts in by_text.items()}
         self._written: dict[_Tag, list[_Part]] = {}
         self._made: dict[_Tag, list[_Part]] = {}
         """The name of a macro's call → the links that it made."""

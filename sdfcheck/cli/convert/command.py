@@ -383,7 +383,6 @@ def convert_files(request: Request, kinds: Mapping[Kind, str], suffix: str, conv
     Raises:
         WrongUsage: the options contradict each other, or a file cannot be read or written.
     """
-
     files = sources(request)
     wanted = outputs(request.output_format, None)
     places = targets(request, files, suffix)
@@ -429,7 +428,6 @@ def _release(source: Document | None, done: Conversion | None) -> None:
 
 def _give_up(file: Source, files: Sequence[Source], error: WrongUsage, done: Reporting) -> None:
     """Ignore a file of another kind that was found, or is one of several."""
-
     if isinstance(error, OtherKind) and (not file.named or (len(files) > 1 and error.kind in _OTHER_WORK)):
         done.ignore(file.path, error.kind.description)
     elif len(files) == 1:

@@ -53,7 +53,6 @@ def formats(context: click.Context, parameter: click.Parameter, begun: str) -> l
 
 
 def versions(context: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-
     names = map(str, reversed(VERSIONS))
     return _items((name, "") for name in names if name.startswith(begun))
 

@@ -280,7 +280,6 @@ class UrdfFindings(Findings):
 
     def value(self, element: Element, parent: Element, definition: Definition) -> None:
         """A number or flag in ``<gazebo>``, in the attribute ``value`` or as text."""
-
         value = element.attribute("value") or element.own_value
         if definition.type == "flag":
             reading = misread(0, len(value.text), Cause.NOT_A_BOOLEAN, "false")

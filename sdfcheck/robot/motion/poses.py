@@ -40,7 +40,6 @@ class Pose:
     @classmethod
     def written(cls, element: Element, name: str) -> Pose | None:
         """The pose that a child element ``pose`` or ``origin`` writes; None if there is none."""
-
         child = element.find(name)
         if child is None:
             return None
@@ -118,7 +117,6 @@ def _named(node: Node, reference: str | Node | None) -> Node:
 
 def of_part(part: Part, holder: Node | None, relative_to: str | None) -> Pose:
     """The pose of a visual, sensor or light in what it is on, or relative to what a reference names there."""
-
     if holder is None:
         return Pose(written_pose(part.find("pose")))
     return Pose(_pose_of_part(part, holder, relative_to))

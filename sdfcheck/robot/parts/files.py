@@ -363,7 +363,6 @@ class Include(FileUse):
     @lazy
     def node(self) -> Node | None:
         """The model that it brings whole, or the frame of one that it merges; None if neither."""
-
         if not isinstance(self.holder, Scope):
             return None
         return next((node for node in self.holder.nodes.values() if node.place is self.element), None)
@@ -371,13 +370,11 @@ class Include(FileUse):
     @property
     def model(self) -> Model | None:
         """The model that it brings whole; None if it brings none, or merges it."""
-
         return self.node if isinstance(self.node, Model) else None
 
     @property
     def content(self) -> Model | None:
         """The model that it brings, whole or merged."""
-
         return self.node.model if isinstance(self.node, MergedFrame) else self.model
 
     @property

@@ -425,7 +425,6 @@ class Joint(Node):
     @property
     def counterparts(self) -> tuple[Joint, ...]:
         """The other joints of its model whose names differ only by the side: those of the other wheels or legs."""
-
         key = without_sides(self.name)
         if key == self.name or self.model is None:
             return ()
@@ -435,7 +434,6 @@ class Joint(Node):
     @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
-
         name = mirrored(self.name)
         return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
 

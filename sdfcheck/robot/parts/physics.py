@@ -43,7 +43,6 @@ class State(Part):
     @property
     def world(self) -> Scope | None:
         """The world that it is a state of."""
-
         return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
 
     @property
@@ -104,7 +103,6 @@ class Gripper(Part):
     @lazy
     def unresolved(self) -> tuple[UnknownName, ...]:
         """The names that are not those of links."""
-
         scope = self.holder
         if not isinstance(scope, Scope):
             return ()

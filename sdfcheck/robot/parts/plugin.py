@@ -352,7 +352,6 @@ def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | 
 
 
 def _driven_model(plugin: Plugin) -> Model | None:
-
     scope = plugin.root.scope_of(plugin.element)
     return scope if isinstance(scope, Model) else None
 

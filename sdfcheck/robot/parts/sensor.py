@@ -182,7 +182,6 @@ class Sensor(Part):
     @property
     def settings(self) -> Setting | None:
         """The part of its type: ``camera``, ``lidar``, ``imu`` …; None without one."""
-
         names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")
         element = next((found for name in names if name and (found := self.find(name)) is not None), None)
         part = None if element is None else self.part(element)

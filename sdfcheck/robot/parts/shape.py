@@ -85,7 +85,6 @@ class Material(Part):
     @property
     def defined(self) -> Material:
         """In URDF: itself, or the robot's material of this name where only the name is given."""
-
         model = self.within(Model)
         if self.has_look or model is None:
             return self
