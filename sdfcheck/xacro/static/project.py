@@ -21,7 +21,7 @@ SIZE_LIMIT = 16 * MEGABYTE
 """Larger files are not searched for names."""
 
 _DEFINED = re.compile(
-    r"<xacro:(property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)|</xacro:macro\b|<!--[\s\S]*?-->"
+    r"<xacro:(property|macro)\b[^<>]*?\sname\s*=\s*[\"']([^\"']+)|</xacro:macro\b|<!--[\s\S]*?(?:-->|\Z)"
 )
 _PARAMETERS = re.compile(r"\sparams\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _WORD = re.compile(r"[^\W\d][\w.]*")
