@@ -68,7 +68,7 @@ class UndefinedProperty(Rule):
             file="part.urdf.xacro",
             scaffold=LIBRARY,
             files={**PACKAGE, "arm.urdf.xacro": ARM.format("")},
-            says="property `offset` is not defined",
+            says="property `offset` is not defined here: macro `m` takes no such parameter",
         ),
         Bad(
             '<xacro:macro name="m" params="side"><link name="${side}${«M_PI»}"/></xacro:macro>',

@@ -5,13 +5,14 @@ from __future__ import annotations
 import keyword
 import os
 import re
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
-from sdfcheck.source.text import Span, Step
+from sdfcheck.source.text import Source, Span, Step
 from sdfcheck.xacro.language import BUILT_IN, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
@@ -26,6 +27,7 @@ from sdfcheck.xacro.static.definitions import (
     Definitions,
     Macro,
     Property,
+    Reading,
     free_names,
     lacks_prefix,
     reading,
@@ -98,7 +100,7 @@ def _of_property(problem: UndefinedProperty, visible: Definitions) -> Reason | N
             return Reason(f"it is an argument: write `$(arg {name})`", place, "the argument")
     found = [each for read in visible.readings for each in read.properties if each.name == name]
     if not found:
-        return _elsewhere(problem, "property", visible)
+        return _elsewhere(problem, "property", visible) or _no_parameter(problem, visible)
     first = found[0]
     if all(lacks_prefix(each.element) for each in found):
         return _unprefixed(first.element)
@@ -126,7 +128,7 @@ def _expression_around(span: Span) -> str:
 def _is_inside(span: Span, found: list[Property]) -> bool:
     """Is a place in the body of a macro that defines the property?"""
     for each in found:
-        if each.macro is not None and span.source is each.element.document.source:
+        if each.macro is not None and _is_same(span.source, each.element.document.source):
             at = each.element.document.spans.place(each.macro)
             if at.start <= span.start < at.close:
                 return True
@@ -148,7 +150,7 @@ def _of_macro(problem: UndefinedMacro, visible: Definitions) -> Reason | None:
 def _elsewhere(problem: UndefinedName, kind: str, visible: Definitions) -> Reason | None:
     """That a file of the project defines a name, and is not included."""
     source = problem.span.source
-    read = next((each for each in visible.readings if each.document.source is source), None)
+    read = _reading_of(source, visible)
     path = None if read is None else definer(read.document, kind, problem.name.removeprefix(PREFIX))
     if read is None or path is None or any(each.document.path == path for each in visible.readings):
         return None
@@ -162,6 +164,33 @@ def _elsewhere(problem: UndefinedName, kind: str, visible: Definitions) -> Reaso
         place,
         "the include belongs below this",
         help=f'write `<xacro:include filename="{name}"/>` in front of it',
+    )
+
+
+def _no_parameter(problem: UndefinedProperty, visible: Definitions) -> Reason | None:
+    """That the macro around a name does not take it: where most names that are missing belong."""
+    if problem.near is not None:
+        return None
+    read = _reading_of(problem.span.source, visible)
+    macros = read.macros if read is not None else []
+    above = bisect_left(macros, problem.span.start, key=lambda each: each.element.span.start)
+    if not above:
+        return None
+    macro = macros[above - 1]
+    element, params = macro.element, macro.element.attribute("params")
+    if params is None or problem.span.start >= element.document.spans.place(element).close:
+        return None
+    return Reason(f"macro `{macro.name}` takes no such parameter", params.span, "its parameters")
+
+
+def _reading_of(source: Source, visible: Definitions) -> Reading | None:
+    return next((each for each in visible.readings if _is_same(each.document.source, source)), None)
+
+
+def _is_same(one: Source, other: Source) -> bool:
+    """Are two texts those of one file? An expansion reads its files again."""
+    return one is other or (
+        one.path.name == other.path.name and os.path.realpath(one.path) == os.path.realpath(other.path)
     )
 
 
@@ -239,7 +268,7 @@ def _of_default(path: Path, written: str, document: Document) -> Reason | None:
 def _late(span: Span, place: Span) -> Reason | None:
     """That a name is defined after its use, or in another file."""
     line = place.begin.line
-    if place.source.path == span.source.path:
+    if _is_same(place.source, span.source):
         if place.start < span.start:
             return None
         return Reason(f"it is defined in line {line}, after this", place, "defined here")

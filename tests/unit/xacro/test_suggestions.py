@@ -65,3 +65,21 @@ def test_an_included_robot_may_use_what_the_includer_has(folder: Path) -> None:
     )
     (folder / "whole.xacro").write_text(f'<robot name="whole" {XACRO}>{whole}</robot>')
     assert codes(folder, "part.xacro") == []
+
+
+def test_the_file_to_include_is_named_in_a_part_that_an_expansion_read(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (folder / "utils.xacro").write_text(
+        f'<robot {XACRO}><xacro:macro name="bar" params=""><link name="b"/></xacro:macro></robot>'
+    )
+    (folder / "arm.xacro").write_text(
+        f'<robot {XACRO}>\n<xacro:macro name="arm" params="">\n<xacro:bar/></xacro:macro></robot>'
+    )
+    (folder / "r.urdf.xacro").write_text(
+        f'<robot name="r" {XACRO}><xacro:include filename="arm.xacro"/><xacro:arm/></robot>'
+    )
+    monkeypatch.chdir(folder)
+    (found,) = sdfcheck.lint(Path("r.urdf.xacro"), isolated=True, select=["XAC003"]).diagnostics
+    assert found.message == "macro `bar` is not defined here: `utils.xacro` defines it, and is not included"
+    assert [(each.span.source.path.name, each.span.begin.line) for each in found.labels] == [("arm.xacro", 1)]
