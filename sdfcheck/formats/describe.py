@@ -10,7 +10,7 @@ from sdfcheck.formats import history
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersion, Schema
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.urdf.schema import CONTROL, URDF, control, known_parents, urdf
+from sdfcheck.formats.urdf.schema import URDF, known_parents, of_controllers, urdf
 from sdfcheck.formats.vendor import BUILT_IN
 from sdfcheck.formats.vendor.definitions import DIALECTS, Effect, Place, Slot, Tag, Vendor
 from sdfcheck.formats.vendor.table import vendor
@@ -171,16 +171,16 @@ def _found(schema: Schema, steps: tuple[str, ...]) -> list[Description]:
 def _uses(schema: Schema, steps: tuple[str, ...]) -> list[_Use]:
     """Where elements are whose own name and those of whose parents are ``steps``.
 
-    Those of ``ros2_control`` only if the steps say so, or are its own.
+    Those of controllers only if the steps say so, or are their own.
     """
     first, *rest = steps
     uses = [use for use in _everywhere(schema) if use.element.name == first]
     for name in rest:
         inside = {_key(use.element): use.element for use in uses if name in _children(use.element)}
         uses = [_Use(element, _children(element)[name]) for element in inside.values()]
-    if CONTROL in steps or not any(map(known_parents, steps)):
+    if of_controllers().keys() & set(steps) or not any(map(known_parents, steps)):
         return uses
-    return [use for use in uses if not use.element.place.startswith("control")]
+    return [use for use in uses if not use.element.place.startswith(("control", "drive"))]
 
 
 def _key(element: Definition) -> tuple[str, str]:
@@ -203,10 +203,10 @@ def _everywhere(schema: Schema) -> list[_Use]:
 
 
 def _children(element: Definition) -> Mapping[str, Definition]:
-    """The elements in an element; those in a block of ros2_control are in a table of its own."""
+    """The elements in an element; those of controllers are in tables of their own."""
     if element.place != "robot:robot":
         return element.children
-    return {**element.children, CONTROL: control()}
+    return {**element.children, **of_controllers()}
 
 
 def _element(uses: list[_Use]) -> Description:
@@ -564,7 +564,7 @@ def _inside(start: Spot, names: Iterable[str], version: Version) -> Spot | None:
     at, waiting = start, list(names)
     while waiting:
         definition = at.definition
-        known = definition.children.get(waiting[0])
+        known = _children(definition).get(waiting[0])
         if at.is_block and (known is None or len(waiting) > 1):
             return _in_block(waiting, version)
         if at.is_open or known is None:
@@ -628,7 +628,7 @@ def describe(
             found = describe_places(robots, steps)
         except UnknownPlace:
             raise error from None
-        if steps[0] == CONTROL:  # elements of URDF alone
+        if steps[0] in of_controllers():  # elements of URDF alone
             return found
         raise UnknownPlace(f"{error}; URDF has it: `urdf:{'/'.join(steps)}`") from None
 

@@ -87,6 +87,13 @@ def known_files() -> tuple[str, ...]:
 
 
 @cache
+def systems() -> tuple[str, ...]:
+    """The files of gz-sim's own systems that its newest release has, under the names that are written."""
+    newest = {name: _facts(_entries()[name][0]) for name in known_files()}
+    return tuple(sorted(name for name, facts in newest.items() if not facts.last))
+
+
+@cache
 def gui_files() -> tuple[str, ...]:
     """The files of the plugins of Gazebo's window."""
     return tuple(

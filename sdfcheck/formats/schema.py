@@ -77,6 +77,11 @@ class RowInVersion:
         return self.choices.listed if self.choices is not None else ()
 
     @property
+    def usual(self) -> tuple[str, ...]:
+        """Values that most have, where any may be written."""
+        return tuple(filter(None, self.row.extra("usual").split(",")))
+
+    @property
     def given_default(self) -> str:
         """The default, if there is a sensible one."""
         return "" if self.default is None or self.default == NOT_GIVEN else self.default

@@ -6,6 +6,7 @@ and in addition those of libsdformat, Drake, PyBullet and MuJoCo.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from math import inf
 from typing import cast
@@ -93,6 +94,13 @@ def extension() -> Definition:
 def control() -> Definition:
     """The element ``ros2_control``, with what ros2_control reads of it."""
     return cast("Definition", URDF.schema(URDF.newest).at(f"control:{CONTROL}"))
+
+
+@cache
+def of_controllers() -> Mapping[str, Definition]:
+    """The elements of a robot whose content URDF leaves to those who control it, as these read them."""
+    drive = cast("Definition", URDF.schema(URDF.newest).at("drive:transmission"))
+    return {CONTROL: control(), drive.name: drive}
 
 
 class Setting(NamedTuple):

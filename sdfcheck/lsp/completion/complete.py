@@ -30,19 +30,15 @@ from sdfcheck.lsp.completion.tags import (
     xacro_attributes,
     xacro_elements,
 )
-from sdfcheck.lsp.completion.values import (
-    command_items,
-    control_attributes,
-    control_items,
-    semantic_values,
-    value_items,
-)
+from sdfcheck.lsp.completion.values import command_items, semantic_values, value_items
 from sdfcheck.lsp.names.expanded import roots_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
+from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.static.definitions import Definitions, visible_definitions
+from sdfcheck.xacro.static.launches import launched_names
 
 _VERSION = re.compile(r"<sdf\b[^<>]*?\bversion\s*=\s*[\"']([^\"']*)[\"']")
 _EXPRESSION = re.compile(r"\$\{[^}]*?([^\W\d]\w*)?\Z")
@@ -140,9 +136,14 @@ class _Completer:
     @property
     def visible(self) -> list[Definitions]:
         """The definitions that a xacro file can see, itself and in the robots that include it."""
+        document = self._document
+        return [visible_definitions(each) for each in (document, *roots_of(document))]
+
+    @property
+    def _document(self) -> Document:
         document = self.workspace.document(self.buffer.path)
         assert document is not None
-        return [visible_definitions(each) for each in (document, *roots_of(document))]
+        return document
 
     @property
     def project(self) -> Project:
@@ -156,7 +157,7 @@ class _Completer:
 
     def _elements(self) -> list[Item]:
         around = self.where.around
-        found: list[Item] = [*control_items(around)]
+        found: list[Item] = []
         if self.is_srdf:
             found += semantic_elements(around)
         else:
@@ -228,7 +229,6 @@ class _Completer:
         if self.is_srdf:
             found += semantic_attributes(self.where)
         elif not tag.startswith("xacro:"):
-            found += control_attributes(self.where)
             found += attribute_items(self.where, self.version, self.vendors)
         if self.is_xacro and tag.startswith("xacro:"):
             found += xacro_attributes(self.where, {**self.project.macros, **self.macros})
@@ -262,11 +262,20 @@ class _Completer:
         document = self.workspace.document(self.buffer.path) if kinds or is_file else None
         if document is not None and kinds:
             found += name_items(self.workspace, document, where, self.offset, self.usage, kinds)
+        if self.is_xacro and where.tag == "xacro:insert_block" and where.attribute == "name":
+            found += self._blocks()
         if document is not None and is_file:
             found += path_items(document, where.typed, where.tag, where.around)
         if self.is_xacro and where.where is Where.VALUE and "$" not in where.typed:
             found += command_items()
         return found
+
+    def _blocks(self) -> Iterator[Item]:
+        """The properties that hold elements."""
+        for visible in self.visible:
+            for name, values in visible.given.items():
+                if any(each.value is None and each.element.nodes for each in values):
+                    yield Item(name, Sort.NAME, name, detail="property", rank=2)
 
     def _usual_words(self, place: str, known: set[str]) -> Iterator[Item]:
         """Words for a place whose words are not in the format, or that the text has there."""
@@ -306,6 +315,7 @@ class _Completer:
             if found[1] == "arg":
                 names = {name for each in self.visible for read in each.readings for name in read.arguments}
                 names |= set(_ASKED.findall(self.buffer.source.text)) | self.project.arguments
+                names |= launched_names(self._document)
             else:
                 library = self.workspace.library(self.buffer.path)
                 names = set(library.packages(self.buffer.path).names)

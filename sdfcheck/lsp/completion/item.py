@@ -64,9 +64,11 @@ class Snippet:
         if element is None:
             return f"{name}>{self._stop()}</{name}>"
         head = name
-        for each in element.required_attributes:
-            attribute = element.attributes[each]
-            head += " " + self.attribute(each, attribute.listed, attribute.given_default)
+        required = [element.attributes[each] for each in element.required_attributes]
+        for each in required:
+            head += " " + self.attribute(each.name, each.listed or each.usual[:3], each.given_default)
+        if any(each.usual for each in required):
+            return f"{head}/>"
         if element.type:
             return f"{head}>{self._stop(element.listed, element.given_default)}</{name}>"
         needed = [] if depth >= _DEEPEST else list(element.needed_children)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from sdfcheck.formats import srdf
+from sdfcheck.formats import plugins, srdf
 from sdfcheck.formats.describe import spot
 from sdfcheck.formats.vendor.definitions import Vendor
 from sdfcheck.formats.version import Version
 from sdfcheck.lsp.completion.context import Context, Where
-from sdfcheck.lsp.completion.item import Item, Sort, plain
+from sdfcheck.lsp.completion.item import Item, Sort
 from sdfcheck.lsp.completion.tags import slots_at
 
-_INTERFACES = ("position", "velocity", "effort", "acceleration", "torque", "force")
 _SENSED = tuple(
     f"{quantity}.{axis}"
     for quantity in ("force", "torque", "position", "orientation", "angular_velocity", "linear_acceleration")
@@ -26,18 +25,6 @@ _HARDWARE = {
     "mujoco_ros2_control/MujocoSystem": "MuJoCo",
     "topic_based_ros2_control/TopicBasedSystem": "topics",
 }
-_SYSTEMS = """
-    ackermann-steering air-pressure air-speed altimeter apply-joint-force apply-link-wrench battery
-    breadcrumbs buoyancy buoyancy-engine camera-video-recorder collada-world-exporter comms-endpoint contact
-    detachable-joint diff-drive dvl elevator follow-actor force-torque hydrodynamics imu joint-controller
-    joint-position-controller joint-state-publisher joint-trajectory-controller kinetic-energy-monitor label
-    lift-drag lighter-than-air-dynamics log linear-battery-plugin logical-audio-sensor-plugin logical-camera
-    magnetometer mecanum-drive model-photo-shoot multicopter-control multicopter-motor-model navsat odometry-publisher
-    optical-tactile-plugin particle-emitter performer-detector perfect-comms physics pose-publisher
-    rf-comms scene-broadcaster sensors shader-param spacecraft-thruster-model thermal thermal-sensor thruster
-    touchplugin track-controller tracked-vehicle trajectory-follower triggered-publisher user-commands
-    velocity-control wheel-slip wind-effects
-""".split()
 _XACRO_COMMANDS = ("arg ", "find ", "env ", "optenv ", "eval ", "dirname", "cwd", "anon ")
 
 
@@ -45,13 +32,11 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
     """The values of an attribute or text, where they are a closed list or well known."""
     tag, attribute = context.tag, context.attribute
     if tag == "plugin" and attribute == "filename":
-        for name in _SYSTEMS:
-            yield Item(f"gz-sim-{name}-system", Sort.FILE, f"gz-sim-{name}-system", detail="Gazebo")
+        yield from (Item(name, Sort.FILE, name, detail="Gazebo") for name in plugins.systems())
         return
-    if "ros2_control" in context.around or tag.endswith("_interface"):
-        yield from _of_control(context)
-        return
-    yield from _of_format(context, version)
+    yield from (_of_control(context) if "ros2_control" in context.around else ()) or _of_format(
+        context, version
+    )
     if ":" in tag or ":" in attribute:
         slots = slots_at(tag, attribute, vendors)
         for choice in dict.fromkeys(choice for slot in slots for choice in slot.choices):
@@ -62,60 +47,14 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
         )
 
 
-def _of_control(context: Context) -> Iterator[Item]:
+def _of_control(context: Context) -> list[Item]:
+    """Values in a block of ``ros2_control`` that depend on more than the place."""
     tag, attribute = context.tag, context.attribute
-    if tag in {"command_interface", "state_interface"} and attribute == "name":
-        names = _SENSED if "sensor" in context.around else _INTERFACES
-        yield from (Item(name, Sort.CHOICE, name, rank=2) for name in names)
-    elif tag == "plugin" and context.where is Where.TEXT:
-        yield from (Item(name, Sort.CHOICE, name, detail=what, rank=2) for name, what in _HARDWARE.items())
-
-
-_CONTROL = {
-    "ros2_control": ("hardware", "joint", "sensor", "gpio"),
-    "hardware": ("plugin", "param"),
-    "joint": ("command_interface", "state_interface", "param"),
-    "sensor": ("state_interface", "param"),
-    "gpio": ("command_interface", "state_interface", "param"),
-    "command_interface": ("param",),
-    "state_interface": ("param",),
-}
-_CONTROL_ATTRIBUTES = {
-    "ros2_control": ("name", "type"),
-    "joint": ("name",),
-    "sensor": ("name",),
-    "gpio": ("name",),
-    "command_interface": ("name",),
-    "state_interface": ("name",),
-    "param": ("name",),
-}
-
-
-def control_items(around: tuple[str, ...]) -> Iterator[Item]:
-    """The elements of a ``ros2_control`` block, which are nobody's format but its own."""
-    if "ros2_control" not in around:
-        return
-    for name in _CONTROL.get(around[-1], ()):
-        if name in {"hardware", "plugin"}:
-            text = f"{name}>$1</{name}>"
-        elif name == "param":
-            text = 'param name="$1">$2</param>'
-        elif name.endswith("interface"):
-            text = f'{name} name="${{1|{",".join(_INTERFACES[:3])}|}}"/>'
-        else:
-            text = f'{name} name="$1">\n\t$2\n</{name}>'
-        item = Item(name, Sort.ELEMENT, plain(text), text, "ros2_control", 2)
-        yield item._replace(is_repeatable=name not in {"hardware", "plugin"})
-
-
-def control_attributes(context: Context) -> Iterator[Item]:
-    """The attributes in a ``ros2_control`` block."""
-    if "ros2_control" not in (*context.around, context.tag):
-        return
-    given = {name for name, _ in context.given}
-    for name in _CONTROL_ATTRIBUTES.get(context.tag, ()):
-        if name not in given:
-            yield Item(name, Sort.ATTRIBUTE, f'{name}=""', f'{name}="$1"', "ros2_control", 1)
+    if tag == "state_interface" and attribute == "name" and "sensor" in context.around:
+        return [Item(name, Sort.CHOICE, name, rank=2) for name in _SENSED]
+    if tag == "plugin" and context.where is Where.TEXT:
+        return [Item(name, Sort.CHOICE, name, detail=what, rank=2) for name, what in _HARDWARE.items()]
+    return []
 
 
 def _of_format(context: Context, version: Version) -> Iterator[Item]:
@@ -126,7 +65,7 @@ def _of_format(context: Context, version: Version) -> Iterator[Item]:
     own = place.definition.attributes.get(context.attribute) if context.attribute else place.definition
     if own is None:
         return
-    choices, default = own.listed, own.given_default
+    choices, default = own.listed or own.usual, own.given_default
     yield from (Item(choice, Sort.CHOICE, choice, rank=2) for choice in choices if choice)
     if own.type == "bool" and not choices:
         yield from (Item(word, Sort.CHOICE, word, rank=2) for word in ("true", "false"))

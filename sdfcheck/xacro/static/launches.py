@@ -67,6 +67,13 @@ def launched_arguments(document: Document) -> tuple[Mapping[str, str], ...]:
     return tuple(found[:_MOST])
 
 
+def launched_names(document: Document) -> frozenset[str]:
+    """The names of all arguments that launch files of the project give to xacro files."""
+    library = library_of(document)
+    uses = {} if library is None else library.of_project(document.path, _Launches).uses
+    return frozenset(name for sets in uses.values() for arguments in sets for name in arguments)
+
+
 class _Launch(Protocol):
     """A launch file, whose text has been read; both methods take the arguments that it is given."""
 

@@ -138,6 +138,14 @@ def test_ros2_control_needs_no_prefix() -> None:
     assert found.since == "jazzy 4.38, kilted 5.7"
     (joint,) = describe("urdf:joint")
     assert joint.parents[0].name == "robot"
+    driven, in_control = describe("transmission/joint")
+    assert in_control.parents[0].name == "ros2_control/transmission"
+    assert [child.name for child in driven.children] == [
+        "hardwareInterface",
+        "role",
+        "mechanicalReduction",
+        "offset",
+    ]
 
 
 @pytest.mark.parametrize(("known", "prefix", "least"), [(SDF, "", 300), (URDF, "urdf:", 80)])

@@ -322,6 +322,13 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
         ("<xacro:wheel |/>", "red"),
         ('<link name="a"/><link name="b"/><gazebo reference="|"/>', "a"),
         ('<xacro:macro name="m" params="one *two"><xacro:insert_block name="|"/></xacro:macro>', "two"),
+        (
+            '<xacro:property name="block"><origin/></xacro:property><xacro:insert_block name="|"/>',
+            "block",
+        ),
+        ('<xacro:if value="$(arg |)"/>', "launched"),
+        ('<transmission name="t"><joint name="j"><|</joint></transmission>', "hardwareInterface"),
+        ('<transmission name="t"><actuator name="j"><|</actuator></transmission>', "mechanicalReduction"),
         ('<xacro:wheel red="left"/><gazebo reference="|"/>', "left"),
         (
             '<ros2_control name="c" type="system"><sensor name="s"><state_interface name="|"/></sensor></ros2_control>',
@@ -346,6 +353,9 @@ def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expecte
     )
     (tmp_path / ".git").mkdir()
     hub = '<xacro:macro name="hub" params="bore"/><xacro:arg name="elsewhere" default=""/>'
+    (tmp_path / "robot.launch").write_text(
+        '<launch><param name="robot" command="xacro robot.xacro launched:=1"/></launch>'
+    )
     path = written(tmp_path, other=hub, robot=around + text)
     shown = path.read_text()
     buffer = editor.open(path, shown.replace("|", ""))
