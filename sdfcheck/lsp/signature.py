@@ -91,6 +91,5 @@ def _active(macro: Macro, place: Context) -> int | None:
 
 
 def _story(macro: Macro) -> str:
-    before = macro.element.before
-    last = before[-1] if before else None
+    last = next(macro.element.before, None)
     return " ".join(last.text.split()) if isinstance(last, Comment) else ""

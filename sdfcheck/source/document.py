@@ -183,14 +183,22 @@ class Element:
         yield from self.below
 
     @property
-    def before(self) -> Sequence[Node]:
-        """The nodes before it in its parent; those of the root are before the description."""
-        return self.document.prolog if self.parent is None else self.parent.nodes[: self._place]
+    def before(self) -> Iterator[Node]:
+        """The nodes before it in its parent, the nearest first; those of the root are before the description."""
+        if self.parent is None:
+            yield from reversed(self.document.prolog)
+        else:
+            nodes = self.parent.nodes
+            yield from (nodes[place] for place in range(self._place - 1, -1, -1))
 
     @property
-    def after(self) -> Sequence[Node]:
+    def after(self) -> Iterator[Node]:
         """The nodes after it in its parent."""
-        return self.document.epilog if self.parent is None else self.parent.nodes[self._place + 1 :]
+        if self.parent is None:
+            yield from self.document.epilog
+        else:
+            nodes = self.parent.nodes
+            yield from (nodes[place] for place in range(self._place + 1, len(nodes)))
 
     @property
     def _place(self) -> int:

@@ -35,8 +35,7 @@ from sdfcheck.source.document import Node as Written
 
 def carry_comments(context: Context, node: Xml, element: Element) -> None:
     """Write the comments right before an element at the end of a node."""
-    before = reversed(element.before)
-    found = list(takewhile(lambda each: isinstance(each, Comment), before))
+    found = list(takewhile(lambda each: isinstance(each, Comment), element.before))
     node.extend(*_taken(context, reversed(found)))
 
 
