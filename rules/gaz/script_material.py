@@ -109,7 +109,7 @@ def _of_block(block: GazeboBlock) -> Iterator[tuple[Target, str]]:
 
 def _of_material(material: Material) -> Iterator[tuple[Target, str]]:
     script = material.script
-    if script is not None and not any(map(material.has, COLORS)):
+    if script is not None and any(script.children()) and not any(map(material.has, COLORS)):
         name = script.find("name")
         named = name is not None and name.content
         yield (name.own_value, named) if name is not None and named else (script, "")

@@ -14,6 +14,7 @@ from sdfcheck import (
     Severity,
     lacking,
     problems,
+    replace,
     warns,
 )
 
@@ -57,6 +58,18 @@ class MissingElement(Rule):
             says="`inertial` has no `mass`, so the default 1 applies",
         ),
         Bad(
+            "<geometry><sphere>«0.5»</sphere></geometry>",
+            fixed="<geometry><sphere><radius>0.5</radius></sphere></geometry>",
+            unsafe=True,
+            says="`sphere` has no `radius`, only text, so the default 1 applies",
+        ),
+        Bad(
+            "<geometry><box><size>1 1 1</size></box></geometry>"
+            "<material><script>«Gazebo/Red»</script></material>",
+            scaffold=IN_VISUAL,
+            says="`script` has no `uri` and no `name`, only text",
+        ),
+        Bad(
             "<geometry><mesh><uri>model://arm/arm.dae</uri><«submesh»/></mesh></geometry>",
             says="`submesh` has no `name`",
         ),
@@ -91,11 +104,19 @@ class MissingElement(Rule):
     )
 
     def check(self, problem: problems.MissingElement) -> Iterator[Diagnostic]:
-        message = f"{problem.element.title} has no `{problem.child}`"
+        lacks = " and no ".join(f"`{name}`" for name in (problem.child, *problem.others))
+        message = f"{problem.element.title} has no {lacks}"
+        place, fix = problem.element.span, None
+        if problem.text is not None:
+            place = problem.text
+            message += ", only text"
+            if problem.fits:
+                text = f"<{problem.child}>{place.text}</{problem.child}>"
+                fix = replace(place, text, f"write `{text}`", unsafe=True)
         if problem.refused:
-            yield self.diagnostic(problem.element, message, affects=lacking(problem.element, problem.child))
+            yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
             return
         if problem.default is not None:
             message += f", so the default {problem.default} applies"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
-        yield self.diagnostic(problem.element, message, severity=Severity.WARNING, affects=affects)
+        yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)

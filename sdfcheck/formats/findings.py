@@ -16,6 +16,7 @@ from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import (
     DeprecatedElement,
+    MissingElement,
     RemovedElement,
     RepeatedElement,
     StrayText,
@@ -157,6 +158,33 @@ def folded(found: list[object]) -> list[object]:
             first_of_kind.append(problem)
         alike.setdefault(kind, []).append(problem.element)
     return [_with_others(problem, alike) for problem in first_of_kind]
+
+
+def folded_texts(found: list[object]) -> list[object]:
+    """The problems, with one for an element that holds a text in place of the children that it lacks."""
+    texts = {each.element: each for each in found if isinstance(each, StrayText)}
+    alone = {element: text for element, text in texts.items() if not any(element.children())}
+    lacking: dict[Element, list[MissingElement]] = {}
+    for each in found if alone else ():
+        if isinstance(each, MissingElement) and each.element in alone:
+            lacking.setdefault(each.element, []).append(each)
+    result = [
+        each
+        for each in found
+        if not (isinstance(each, StrayText | MissingElement) and each.element in lacking)
+    ]
+    for element, (first, *others) in lacking.items():
+        span = alone[element].span
+        is_whole = first.fits and not others and span.text == element.content
+        result.append(
+            first.changed(
+                text=span,
+                others=tuple(each.child for each in others),
+                refused=first.refused or any(each.refused for each in others),
+                fits=is_whole,
+            )
+        )
+    return result
 
 
 def counted(found: list[object], strange: Counter[Element]) -> list[object]:

@@ -109,13 +109,18 @@ class DeprecatedElement(Record):
 class MissingElement(Record):
     """A required child is absent; ``refused`` when libsdformat does not take the file so.
 
-    ``default`` is the value that is taken instead, None where there is none to speak of.
+    ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
+    all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
+    text is a value for the child.
     """
 
     element: Element
     child: str
     default: str | None
     refused: bool = False
+    text: Span | None = None
+    others: tuple[str, ...] = ()
+    fits: bool = False
 
 
 class MissingAttribute(Record):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sdfcheck.formats import history, problems
-from sdfcheck.formats.findings import Findings, counted, folded, judge, text_problems
+from sdfcheck.formats.findings import Findings, counted, folded, folded_texts, judge, text_problems
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.values import read_at
@@ -167,7 +167,8 @@ class SdfFindings(Findings):
         child = place.children[name]
         default = None if child.default == NOT_GIVEN else child.default
         refused = (place.path, name) in _REFUSED or self.is_refused_axis(parent, name)
-        return problems.MissingElement(parent, name, default or None, refused)
+        fits = child.type is not None and bool(child.accepts(parent.content))
+        return problems.MissingElement(parent, name, default or None, refused, fits=fits)
 
     def is_refused_axis(self, axis: Element, name: str) -> bool:
         """An axis without direction in the frame of the model, as older files say it.
@@ -259,6 +260,7 @@ class SdfFindings(Findings):
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name))
+        self.found = folded_texts(self.found)
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
         for (_, attribute, since), uses in self.uses_too_new.items():
