@@ -4,6 +4,7 @@ from math import inf
 from sdfcheck import (
     IN_JOINT,
     IN_URDF_JOINT,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -26,7 +27,8 @@ class NegativeLimit(Rule):
 
     In SDFormat any negative effort or velocity is read as no limit, which is written `-1`.
     Everywhere else a negative number makes no sense: negative damping feeds the
-    motion, and Drake refuses it.
+    motion, and Drake refuses it. In URDF Drake aborts at a negative velocity, and Pinocchio refuses a negative
+    effort or velocity.
     """
 
     code = "JNT010"
@@ -73,10 +75,12 @@ class NegativeLimit(Rule):
     def check(self, part: Limit | Dynamics) -> Iterator[Diagnostic]:
         for quantity, number in _negative(part):
             affects = {}
+            if quantity in {"effort", "velocity"} and part.is_urdf:
+                affects = {Consumer.PINOCCHIO: REFUSES}
             if quantity == "velocity" and part.is_urdf:
-                affects = {Consumer.DRAKE: refuses("aborts")}
+                affects[Consumer.DRAKE] = refuses("aborts")
             elif quantity != "damping":
-                affects = {Consumer.DRAKE: warns("takes it as no limit")}
+                affects[Consumer.DRAKE] = warns("takes it as no limit")
             message = f"{quantity} {number.text} of {part.joint.title} is negative"
             yield self.diagnostic(number, message, affects=affects)
 

@@ -35,12 +35,14 @@ class Absences:
 
 
 def reactions(resource: Resource, missing: Reaction) -> dict[Consumer, Reaction]:
-    """Drake looks for the meshes of links, MuJoCo for those of collisions that are paths."""
+    """Drake and PyBullet look for the meshes of links, MuJoCo for those of collisions that are paths."""
     roles = {each.name for each in resource.element.around}
     is_mesh = (resource.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
     opened = is_mesh and "collision" in roles and ":/" not in resource.uri
     unread = accepts("does not look for it")
+    of_link = missing if is_mesh and roles & {"visual", "collision"} else unread
     return {
-        Consumer.DRAKE: missing if is_mesh and roles & {"visual", "collision"} else unread,
+        Consumer.DRAKE: of_link,
+        Consumer.PYBULLET: of_link,
         Consumer.MUJOCO: missing if opened else unread,
     }

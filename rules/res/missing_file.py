@@ -31,9 +31,9 @@ ELSEWHERE = warns("refuses the file where it is not found")
 class MissingFile(Rule):
     """A mesh, texture, heightmap, script or sound is not where its URI leads.
 
-    Simulators load the rest: what has lost its mesh is invisible, and collides with
-    nothing. A model or package that is nowhere on the search path is a warning, once for
-    each, because another computer may have it: set `model-paths`, `package-paths` or
+    Gazebo loads the rest: what has lost its mesh is invisible, and collides with nothing. Drake and PyBullet
+    refuse a file of which a mesh is missing. A model or package that is nowhere on the search path is a warning,
+    once for each, because another computer may have it: set `model-paths`, `package-paths` or
     `packages` in the configuration. So is a folder that is not there at all or holds no
     other file of the kind, because meshes are often kept elsewhere.
     Nothing is ever fetched from the network.

@@ -1,8 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Consumer, Diagnostic, Good, Inertial, Rule, Severity, named, warns
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Inertial,
+    Rule,
+    Severity,
+    named,
+    warns,
+)
 
 PARTS = ("mass", "inertia")
+MOMENTS = frozenset({"ixx", "iyy", "izz"})
 
 
 class IncompleteInertia(Rule):
@@ -10,7 +23,8 @@ class IncompleteInertia(Rule):
 
     urdfdom stops reading the link there: its visuals and collisions are lost, and in
     Gazebo a link without mass goes with all that hangs on it. Drake takes zero for missing
-    moments, and for a missing mass a solid sphere of 1 kg.
+    moments, and for a missing mass a solid sphere of 1 kg. PyBullet refuses the file where the mass, the inertia or
+    one of its moments is missing.
     """
 
     code = "URD010"
@@ -53,8 +67,13 @@ class IncompleteInertia(Rule):
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link = inertial.link.title
         for part in filter(inertial.lacks, PARTS):
-            affects = {Consumer.DRAKE: warns("takes a solid sphere of 1 kg")} if part == "mass" else {}
+            affects = {Consumer.PYBULLET: REFUSES}
+            if part == "mass":
+                affects[Consumer.DRAKE] = warns("takes a solid sphere of 1 kg")
             yield self.diagnostic(inertial, f"the inertial of {link} has no `{part}`", affects=affects)
         if inertial.missing_moments and inertial.inertia is not None:
             missing = named(inertial.missing_moments, "or")
-            yield self.diagnostic(inertial.inertia, f"the inertia of {link} has no {missing}")
+            affects = {Consumer.PYBULLET: REFUSES} if MOMENTS.intersection(inertial.missing_moments) else {}
+            yield self.diagnostic(
+                inertial.inertia, f"the inertia of {link} has no {missing}", affects=affects
+            )

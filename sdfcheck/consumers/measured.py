@@ -130,12 +130,10 @@ def with_measured(
     return found
 
 
-def in_this_case(
-    code: str, found: Mapping[str, Reaction], own: Mapping[str, Reaction], targets: Collection[str]
-) -> dict[str, Reaction]:
+def in_this_case(code: str, own: Mapping[str, Reaction], targets: Collection[str]) -> dict[str, Reaction]:
     """The reactions of measured consumers among ``targets`` to one finding, where it has ``own`` reactions.
 
-    They do as their parser does; and what is harmless in this case is so for them, too.
+    They do as their parser does, unless the finding itself says what they do in this case.
     """
     rows, changed = table().rows.get(code, {}), {}
     for consumer in CONSUMERS:
@@ -143,8 +141,8 @@ def in_this_case(
         if name not in targets:
             continue
         through = rows.get(name, {}).get("urdf", AS_PARSER if parser else "") == AS_PARSER
-        if through and parser is not None and parser.value in own:
-            changed[name] = own[parser.value]
-        elif name in own and (own[name].is_harmless or found.get(name, UNKNOWN) == UNKNOWN):
+        if name in own:
             changed[name] = own[name]
+        elif through and parser is not None and parser.value in own:
+            changed[name] = own[parser.value]
     return changed

@@ -101,7 +101,7 @@ def reactions(
     if not ON_REQUEST.isdisjoint(targets):
         from sdfcheck.consumers.measured import in_this_case
 
-        found.update(in_this_case(facts.code, found, own, targets))
+        found.update(in_this_case(facts.code, own, targets))
     return tuple(sorted(found.items(), key=lambda item: item[0]))
 
 

@@ -34,8 +34,8 @@ class Loaded:
         self.client = bullet.connect(bullet.DIRECT)
         for path in question.get("model_paths", ()):
             bullet.setAdditionalSearchPath(path, self.client)
-        flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_MAINTAIN_LINK_ORDER
-        flags |= bullet.URDF_USE_SELF_COLLISION
+        # Not URDF_MAINTAIN_LINK_ORDER: with it PyBullet 3.2.7 writes beyond an array of large robots.
+        flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_USE_SELF_COLLISION
         try:
             self.robot = bullet.loadURDF(
                 question["path"], useFixedBase=held, flags=flags, physicsClientId=self.client
