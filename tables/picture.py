@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 PICTURE = ROOT / "docs" / "terminal.svg"
 FOLDER = ROOT / "fixtures" / "robots" / "with_mistakes"
 COMMAND = ("lint", "gripper.urdf.xacro")
-_WIDTH = 88
+_WIDTH = 96
 _REMOTE_FONT = re.compile(r"@font-face \{.*?\}\s*", re.DOTALL)
 
 
