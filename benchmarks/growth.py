@@ -484,6 +484,8 @@ SHOWING = ("convert", "view", "print", "expand", "inertia", "targets", "graph", 
 """Commands that write something about every document here."""
 ENOUGH = 0.3
 """Seconds above the floor from which a size is measured: the times of the system are in steps of 0.01 s."""
+QUICK = 0.1
+"""With fewer seconds for the largest document an exponent says nothing but how coarse the clock is."""
 LARGEST = 60_000
 SURE = 1.05
 """An exponent above this is measured again with larger documents: what is steep gets steeper, noise does not."""
@@ -596,9 +598,10 @@ def measure(names: Iterable[str]) -> tuple[dict[str, dict[str, Grown]], bool]:
             are_linear = False
             print(f"{name}: {command} did not run: {problem}", file=sys.stderr, flush=True)
             continue
-        are_linear = are_linear and grown.exponent <= MOST
+        is_steep = grown.exponent > MOST and grown.seconds[-1] > QUICK
+        are_linear = are_linear and not is_steep
         times = "  ".join(f"{each:6.2f}" for each in grown.seconds)
-        steep = "  steep" if grown.exponent > MOST else ""
+        steep = "  steep" if is_steep else ""
         print(f"{name:40} {command:42} {grown.n:7,} {times}  n^{grown.exponent:.2f}{steep}", flush=True)
     return found, are_linear
 

@@ -77,7 +77,8 @@ def _marked(
     file: Selected, findings: list[tuple[Diagnostic, Span]], rules: Sequence[RuleFacts], reason: str
 ) -> FixedFile:
     document = read(file.data, file.path, None if file.kind is Kind.BROKEN_XML else file.kind)
-    if any(place.source.text != document.source.text for _, place in findings):
+    sources = {id(place.source): place.source for _, place in findings}
+    if any(source.text != document.source.text for source in sources.values()):
         return FixedFile(file.path, file.data, file.data, 0, "it has changed meanwhile")
     if document.root is None:
         return FixedFile(file.path, file.data, file.data, 0)
