@@ -133,7 +133,7 @@ _HOMES = {
     "sdfcheck.consumers.urdf_readers": (
         "Ignored ignored_by_drake is_harmless lacking repeating undersized unexpanded unreadable"
     ),
-    "sdfcheck.consumers.reaction": "REFUSES Consumer Reaction Verdict accepts drops ignores refuses warns",
+    "sdfcheck.consumers.reaction": "REFUSES UNFOUND Consumer Reaction Verdict accepts drops ignores refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
@@ -182,6 +182,7 @@ __all__ = [
     "IN_WORLD",
     "REFUSES",
     "SDF",
+    "UNFOUND",
     "Actor",
     "Applicability",
     "Axis",

@@ -14,6 +14,7 @@ from sdfcheck import (
     Number,
     Rule,
     Severity,
+    accepts,
     refuses,
     warns,
 )
@@ -28,7 +29,7 @@ class NegativeLimit(Rule):
     In SDFormat any negative effort or velocity is read as no limit, which is written `-1`.
     Everywhere else a negative number makes no sense: negative damping feeds the
     motion, and Drake refuses it. In URDF Drake aborts at a negative velocity, and Pinocchio refuses a negative
-    effort or velocity.
+    effort or velocity; `-1` is for information there.
     """
 
     code = "JNT010"
@@ -57,6 +58,11 @@ class NegativeLimit(Rule):
             scaffold=IN_URDF_JOINT,
             says="velocity -2 of joint `j` is negative",
         ),
+        Bad(
+            '<limit lower="-1" upper="1" effort="«-1»" velocity="2"/>',
+            scaffold=IN_URDF_JOINT,
+            says="effort -1 of joint `j` is negative",
+        ),
     )
     good = (
         Good(
@@ -77,21 +83,25 @@ class NegativeLimit(Rule):
             affects = {}
             if quantity in {"effort", "velocity"} and part.is_urdf:
                 affects = {Consumer.PINOCCHIO: REFUSES}
-            if quantity == "velocity" and part.is_urdf:
+            is_meant = number.number in NO_LIMIT and part.kind == "limit"
+            if is_meant:  # what Drake does with it is its own rules' matter
+                affects = dict.fromkeys(Consumer, accepts("takes it as no limit")) | affects
+            elif quantity == "velocity" and part.is_urdf:
                 affects[Consumer.DRAKE] = refuses("aborts")
             elif quantity != "damping":
                 affects[Consumer.DRAKE] = warns("takes it as no limit")
             message = f"{quantity} {number.text} of {part.joint.title} is negative"
-            yield self.diagnostic(number, message, affects=affects)
+            severity = Severity.INFO if is_meant else None
+            yield self.diagnostic(number, message, affects=affects, severity=severity)
 
 
 def _negative(part: Limit | Dynamics) -> list[tuple[str, Number]]:
-    """The numbers below 0, with what they are the number of."""
+    """The numbers below 0, with what they are the number of; in SDFormat some say that there is no limit."""
     is_limit = part.kind == "limit"
     names = ("effort", "velocity") if is_limit else ("damping", "friction")
     numbers: list[Number] = [getattr(part, name) for name in names]
     if min(numbers) >= 0 or (is_limit and part.is_urdf and not part.joint.moves):
         return []
-    exempt = NO_LIMIT if is_limit else ()
+    exempt = NO_LIMIT if is_limit and not part.is_urdf else ()
     below = zip(names, numbers, strict=True)
     return [(name, number) for name, number in below if number.number < 0 and number.number not in exempt]

@@ -4,6 +4,7 @@ from sdfcheck import (
     IN_URDF_LINK,
     IN_VISUAL,
     REFUSES,
+    UNFOUND,
     Bad,
     Diagnostic,
     Fix,
@@ -16,16 +17,12 @@ from sdfcheck import (
     Rule,
     Severity,
     used,
-    warns,
     write_instead,
 )
 from sdfcheck_rules.res.absences import Absences, reactions
 from sdfcheck_rules.res.places import looked_for, near_file, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
-
-
-ELSEWHERE = warns("refuses the file where it is not found")
 
 
 class MissingFile(Rule):
@@ -133,7 +130,7 @@ class MissingFile(Rule):
             fix=renamed(uses, near),
             severity=Severity.ERROR if has_siblings else Severity.WARNING,
             help=looked_for(resource),
-            affects=reactions(resource, REFUSES if has_siblings else ELSEWHERE),
+            affects=reactions(resource, REFUSES if has_siblings else UNFOUND),
         )
 
     def together(self, uses: list[Resource], message: str, advice: str = "") -> Diagnostic:
@@ -143,7 +140,7 @@ class MissingFile(Rule):
             message + times,
             severity=Severity.WARNING,
             help=looked_for(uses[0]) + advice,
-            affects=reactions(uses[0], ELSEWHERE),
+            affects=reactions(uses[0], UNFOUND),
         )
 
 

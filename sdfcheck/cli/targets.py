@@ -16,7 +16,7 @@ from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, des
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
-from sdfcheck.consumers.reaction import Consumer, Verdict
+from sdfcheck.consumers.reaction import UNFOUND, Consumer, Verdict
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
@@ -146,9 +146,16 @@ def refuses(answer: Answer) -> bool:
 
 def differs(row: Row, answer: Answer) -> bool:
     """Does a consumer do otherwise than predicted?"""
-    if answer.is_missing or row.verdict is Verdict.UNMEASURED:
+    if answer.is_missing or row.verdict is Verdict.UNMEASURED or unfound(row, answer) is not None:
         return False
     return refuses(answer) is not (row.verdict is Verdict.REJECT)
+
+
+def unfound(row: Row, answer: Answer) -> Reason | None:
+    """A reason for which the consumer refuses the file here, and may take it on another computer."""
+    if not refuses(answer) or row.verdict is Verdict.REJECT:
+        return None
+    return next((reason for reason in row.reasons if reason.reaction == UNFOUND), None)
 
 
 _SHOWN = 5
@@ -212,7 +219,9 @@ def _said(row: Row, answer: Answer) -> Iterator[str]:
         yield f"run: not installed here: {answer.error}"
         return
     mark = "  (differs)" if differs(row, answer) else ""
-    yield f"run: {answer.engine.value} {answer.version}: {answer.outcome.value}{mark}"
+    absent = unfound(row, answer)
+    note = f", as a file is not found here ({absent.diagnostic.code})" if absent is not None else ""
+    yield f"run: {answer.engine.value} {answer.version}: {answer.outcome.value}{note}{mark}"
     if answer.error:
         yield f"     {answer.error}"
     if mark and not answer.error:

@@ -167,6 +167,8 @@ def refuses(words: str = "refuses the file") -> Reaction:
 
 
 REFUSES = refuses()
+UNFOUND = warns("refuses the file where it is not found")
+"""A file that it opens is not on this computer; on another one it may be there."""
 
 Affects = Mapping[Consumer, Reaction | Mapping[str, Reaction]]
 """Consumer → its reaction, or the reaction for each dialect."""

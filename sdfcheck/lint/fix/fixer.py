@@ -226,8 +226,9 @@ def _stopping(found: Sequence[Diagnostic]) -> list[Diagnostic]:
 
 def _brought(before: _Linted, after: _Linted) -> list[str]:
     """The rules of which there are more errors than before; of all diagnostics, where fewer are silenced."""
-    if _stopping(before.found) and not _stopping(after.found):
-        return []  # it is a robot only now, and all of it can be judged
+    if stopping := _stopping(before.found):  # all of it can be judged only when it is a robot
+        more = Counter(each.name for each in _stopping(after.found))
+        return sorted(more - Counter(each.name for each in stopping))
     errors_only = after.silenced >= before.silenced
     counts = [
         Counter(each.name for each in found if not errors_only or each.severity is Severity.ERROR)

@@ -228,3 +228,16 @@ def test_fixing_only_reports_nothing_that_is_left(lint: Shell) -> None:
     assert lint("--fix-only", "--quiet") == 0
     assert lint.err == ""
     assert lint("--fix-only", "--add-ignore") == 2
+
+
+def test_what_is_seen_only_in_a_whole_text_stops_no_fix_of_the_text(
+    tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    """Tags without an end: after one of them is mended, the robot without a name is seen."""
+    file = tmp_path / "r.urdf"
+    file.write_bytes(b"<robot<a<a</robot>")
+    shell = Shell(capfdbinary)
+    shell("--fix", "--unsafe-fixes", str(file))
+    once = file.read_bytes()
+    shell("--fix", "--unsafe-fixes", str(file))
+    assert file.read_bytes() == once == b"<robot><a></a></robot>"

@@ -123,6 +123,20 @@ def test_predicted_and_real(
     assert (row["run"]["verdict"], row["run"]["differs"]) == (outcome.value, differs)
 
 
+def test_a_refusal_for_what_is_not_here_is_no_difference(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    stand = Stand(Answer(Engine.DRAKE, Outcome.REFUSED, "1.0", "mesh not found"), [])
+    monkeypatch.setattr(engines, "ask", stand.ask)
+    file = tmp_path / "r.urdf"
+    shape = '<geometry><mesh filename="package://lost/a.obj"/></geometry>'
+    file.write_text(f'<robot name="r"><link name="a"><visual>{shape}</visual></link></robot>')
+    main(["targets", str(file), "--isolated", "--run", "--target", "drake"])
+    out = capsys.readouterr().out
+    assert "run: drake 1.0: reject, as a file is not found here (RES001)" in out
+    assert "(differs)" not in out
+
+
 def test_engines_get_xacro_expanded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -118,7 +118,7 @@ def test_limits_in_sdf(limits: str, type: str, code: str | None) -> None:
         ('lower="-6.2832" upper="6.2832"', "continuous", None),
         ('lower="0" upper="0"', "continuous", None),
         ('lower="high" upper="0"', "continuous", None),
-        ('effort="-5" velocity="-1"', "continuous", "JNT010"),
+        ('effort="-5" velocity="1"', "continuous", "JNT010"),
         ('effort="-5" velocity="-1"', "fixed", None),
     ],
 )
