@@ -230,10 +230,10 @@ def test_fixing_only_reports_nothing_that_is_left(lint: Shell) -> None:
     assert lint("--fix-only", "--add-ignore") == 2
 
 
-def test_what_is_seen_only_in_a_whole_text_stops_no_fix_of_the_text(
+def test_errors_that_a_repaired_text_shows_stop_no_fix_of_it(
     tmp_path: Path, capfdbinary: pytest.CaptureFixture[bytes]
 ) -> None:
-    """Tags without an end: after one of them is mended, the robot without a name is seen."""
+    """Tags without an end: once one of them has its end, the robot without a name is seen."""
     file = tmp_path / "r.urdf"
     file.write_bytes(b"<robot<a<a</robot>")
     shell = Shell(capfdbinary)
