@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from sdfcheck.robot.motion.mechanism import Axis, Joint, Mechanism
+from sdfcheck.robot.motion.mechanism import Axis, Joint, Mechanism, Mimic
 from sdfcheck.robot.motion.rotations import Array, about_axis, inverse, transform, z_towards
 from sdfcheck.source.record import NamedTuple
 
@@ -121,21 +121,27 @@ def _steps(robot: Mechanism, joint: Joint, values: Positions, start: str) -> Arr
 
 
 def with_followers(robot: Mechanism, positions: Positions) -> dict[str, Array]:
-    """The positions, with those of mimicking joints worked out (chains too; a ring keeps what is given)."""
-    result = dict(positions)
+    """The positions, with those of mimicking joints worked out, chains too; what leads into a ring keeps its own."""
+    result, own = dict(positions), set[str]()
+    nowhere = np.zeros((1, 1))
 
-    def value(name: str, seen: frozenset[str]) -> Array:
-        joint = robot.joints.get(name)
-        mimic = joint.axes[0].mimic if joint is not None and joint.axes else None
-        if mimic is not None and name not in seen and mimic.leader in robot.joints:
-            leader = value(mimic.leader, seen | {name})
-            return mimic.multiplier * (leader - mimic.reference) + mimic.offset
-        given = result.get(name)
-        return given[:, :1] if given is not None else np.zeros((1, 1))
+    def mimic_of(name: str) -> Mimic | None:
+        joint = robot.joints[name]
+        mimic = joint.axes[0].mimic if joint.axes and name not in own else None
+        return mimic if mimic is not None and mimic.leader in robot.joints else None
 
-    for name, joint in robot.joints.items():
-        if joint.axes and joint.axes[0].mimic is not None:
-            result[name] = value(name, frozenset())
+    for name in robot.joints:
+        chain: dict[str, Mimic] = {}
+        at = name
+        while at not in chain and (mimic := mimic_of(at)) is not None:
+            chain[at], at = mimic, mimic.leader
+        own |= chain.keys()  # from here on they have a position
+        if at in chain:
+            continue
+        position = result.get(at, nowhere)[:, :1]
+        for follower, mimic in reversed(chain.items()):
+            position = mimic.multiplier * (position - mimic.reference) + mimic.offset
+            result[follower] = position
     return result
 
 

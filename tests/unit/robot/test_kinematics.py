@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.kinematics import degrees_of_freedom, motions
+from sdfcheck.robot.motion.kinematics import degrees_of_freedom, motions, with_followers
 from sdfcheck.robot.motion.rotations import about_axis
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
@@ -45,3 +45,29 @@ def test_a_planar_joint_moves_across_its_axis() -> None:
     joint = mechanism_of(root_of(document).models[0]).joints["j"]
     (moved,) = motions(joint, np.array([[3.0, 4.0, 0.0]]))
     assert moved[2, 3] == 0
+
+
+@pytest.mark.parametrize(
+    ("mimics", "expected"),
+    [
+        ({"b": ("a", 2)}, {"a": 1, "b": 2, "c": 3}),
+        ({"b": ("a", 2), "c": ("b", 3)}, {"a": 1, "b": 2, "c": 6}),
+        ({"a": ("b", 2), "b": ("c", 3)}, {"a": 18, "b": 9, "c": 3}),
+        ({"a": ("a", 2)}, {"a": 1, "b": 2, "c": 3}),
+        ({"a": ("b", 2), "b": ("c", 3), "c": ("b", 4)}, {"a": 1, "b": 2, "c": 3}),
+        ({"a": ("lost", 2)}, {"a": 1, "b": 2, "c": 3}),
+    ],
+)
+def test_followers_and_rings_of_them(mimics: dict[str, tuple[str, int]], expected: dict[str, float]) -> None:
+    joints = "".join(
+        f'<link name="{name}"/><joint name="{name}" type="continuous"><parent link="base"/><child link="{name}"/>'
+        + (f'<mimic joint="{mimics[name][0]}" multiplier="{mimics[name][1]}"/>' if name in mimics else "")
+        + "</joint>"
+        for name in "abc"
+    )
+    document = read(f'<robot name="r"><link name="base"/>{joints}</robot>'.encode(), PATH)
+    robot = mechanism_of(root_of(document).models[0])
+    given = {name: np.array([[float(number)]]) for number, name in enumerate("abc", 1)}
+    once = with_followers(robot, given)
+    assert {name: float(value[0, 0]) for name, value in once.items()} == expected
+    assert with_followers(robot, once) == once
