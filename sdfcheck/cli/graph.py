@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -20,8 +21,17 @@ from sdfcheck.source.errors import DescriptionError, WrongUsage
 _COLORS = {"kind": "cyan", "label": "yellow", "note": "bright_black"}
 
 
+class _Kinds(click.Choice):  # type: ignore[type-arg, unused-ignore]
+    """The kinds of graphs; a file in their place is a command that lacks one."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if value not in self.choices and os.path.exists(value):
+            self.fail(f"which graph of it? Try `sdfcheck graph {GraphKind.JOINTS.value} {value}`", param, ctx)
+        return super().convert(value, param, ctx)
+
+
 @click.command(cls=Command, name="graph")
-@click.argument("kind", type=click.Choice([kind.value for kind in GraphKind]))
+@click.argument("kind", type=_Kinds([kind.value for kind in GraphKind]))
 @click.argument("file", type=click.Path(path_type=Path))
 @formatted(
     "A tree to read, the language of Graphviz or Mermaid, or a picture.",

@@ -75,3 +75,9 @@ def test_files_without_a_robot(
         file.write_text(content)
     assert main(["graph", "joints", str(file)]) == 2
     assert says in capsys.readouterr().err
+
+
+def test_a_file_in_place_of_the_graph_gets_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    file = ROBOTS / "diff_drive" / "model.sdf"
+    assert main(["graph", str(file)]) == 2
+    assert f"which graph of it? Try `sdfcheck graph joints {file}`" in capsys.readouterr().err
