@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Sensor, Severity, Value, replace
+from sdfcheck import Bad, ControlComponent, Diagnostic, Element, Good, Rule, Sensor, Severity, Value, replace
 
 FRAMES = ("gz_frame_id", "ignition_frame_id", "frame_id")
 """Elements of a sensor that say in which frame its messages are."""
@@ -10,6 +10,12 @@ SENSOR = (
     '<robot name="r"><link name="base"/><link name="scan"/>'
     '<joint name="j" type="fixed"><parent link="base"/><child link="scan"/></joint>'
     '<gazebo reference="scan"><sensor name="s" type="imu">{}</sensor></gazebo></robot>'
+)
+CONTROL = (
+    '<robot name="r"><link name="base"/><link name="scan"/>'
+    '<joint name="j" type="fixed"><parent link="base"/><child link="scan"/></joint>'
+    '<ros2_control name="c" type="sensor"><hardware><plugin>p/P</plugin></hardware><sensor name="s">'
+    '<state_interface name="force.x"/><param name="frame_id">{}</param></sensor></ros2_control></robot>'
 )
 PLUGIN = '<plugin name="laser" filename="libgazebo_ros_ray_sensor.so"><frame_name>{}</frame_name></plugin>'
 
@@ -31,7 +37,7 @@ class UnknownSensorFrame(Rule):
     A camera that ROS processes wants an optical frame: a link turned by `rpy="-1.5708 0 -1.5708"`. If
     another program publishes the frame, ignore this with a comment that names it.
     """
-    looks_at = (Sensor,)
+    looks_at = (Sensor, ControlComponent)
     scaffold = SENSOR
 
     bad = (
@@ -50,42 +56,57 @@ class UnknownSensorFrame(Rule):
         Bad(
             PLUGIN.format("«laser_link»"), says="frame `laser_link` of sensor `s` is not a link of robot `r`"
         ),
+        Bad(
+            "«tool_link»", scaffold=CONTROL, says="frame `tool_link` of sensor `s` is not a link of robot `r`"
+        ),
     )
     good = (
         Good("<gz_frame_id>scan</gz_frame_id>", why="a link, also where libsdformat merges it"),
         Good("<gz_frame_id>robot1/scan</gz_frame_id>", why="with the prefix that the publisher adds"),
         Good("<gz_frame_id>odom</gz_frame_id>"),
         Good(PLUGIN.format("scan")),
+        Good("scan", scaffold=CONTROL),
     )
 
     @staticmethod
-    def applies(sensor: Sensor) -> bool:
-        return sensor.is_extension and any(foreign(sensor))
+    def applies(part: Sensor | ControlComponent) -> bool:
+        return any(foreign(part))
 
-    def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
-        for value in foreign(sensor):
+    def check(self, part: Sensor | ControlComponent) -> Iterator[Diagnostic]:
+        for value in foreign(part):
             name = value.text.strip()
-            message = f"frame `{name}` of {sensor.title}"
+            message = f"frame `{name}` of {part.title}"
             if name.startswith("/"):
                 fix = replace(value, name.lstrip("/"), f"write `{name.lstrip('/')}`", unsafe=True)
                 message += " begins with `/`, which no frame of tf2 does"
                 yield self.diagnostic(value, message, fix=fix)
                 continue
-            robot = sensor.root.models[0]
+            robot = part.root.models[0]
             message += f" is not a link of {robot.title}"
-            yield self.diagnostic(value, message, meant=sensor.nearest(name, robot.tree.links))
+            yield self.diagnostic(value, message, meant=part.nearest(name, robot.tree.links))
 
 
-def foreign(sensor: Sensor) -> Iterator[Value]:
+def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
     """The frames of a sensor that no link has, with a prefix or without."""
-    links = sensor.root.models[0].tree.links
-    plugins = (child for plugin in sensor.plugins for child in plugin.parameters if child.name in OF_PLUGINS)
-    for element in (*(child for name in FRAMES for child in sensor.children(name)), *plugins):
+    for element in frames(part):
         name = element.content.strip()
         if not name or "$" in name or "{" in name:
             continue
+        links = part.root.models[0].tree.links
         is_known = (
             name in FIXED or name.rpartition("/")[2] in links or any(name.endswith(link) for link in links)
         )
         if name.startswith("/") or not is_known:
             yield element.own_value
+
+
+def frames(part: Sensor | ControlComponent) -> Iterator[Element]:
+    """The elements that name the frame of a sensor in URDF: its own, those of its plugins and of ros2_control."""
+    if isinstance(part, ControlComponent):
+        if part.what == "sensor":
+            yield from (each for each in part.children("param") if each.attributes.get("name") == "frame_id")
+    elif part.is_extension:
+        for name in FRAMES:
+            yield from part.children(name)
+        for plugin in part.plugins:
+            yield from (child for child in plugin.parameters if child.name in OF_PLUGINS)
