@@ -89,7 +89,9 @@ def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
         if change.what.startswith("transmission") and change.before == "none":
             continue  # Drake wants one for each joint that is driven
         names = {
-            word for text in (change.name, change.before, change.after) for word in re.split("[`:/ ]+", text)
+            word
+            for text in (change.name, change.before, change.after)
+            for word in re.split("__|[`:/ ]+", text)
         }
         names |= set(re.split("[`:/]+", change.what))
         if not any(_names_any(loss, names - {""}) for loss in reported):

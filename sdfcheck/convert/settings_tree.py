@@ -103,7 +103,7 @@ class Entry:
 
 
 def entry_of(element: Element, definition: Definition | None, without: frozenset[str] = frozenset()) -> Entry:
-    """An element with all that is in it, apart from some of its children."""
+    """An element with all that is in it, apart from some of its children; of what may be once the first counts."""
     made = Entry(element.name, " ".join(element.content.split()), element, definition)
     for name, text in element.attributes.items():
         if name == "name":
@@ -117,7 +117,8 @@ def entry_of(element: Element, definition: Definition | None, without: frozenset
                 if definition is not None and not definition.open
                 else None
             )
-            made.add(entry_of(child, inner))
+            if inner is None or not inner.single or made.find(child.name) is None:
+                made.add(entry_of(child, inner))
     if element.name == "sensor":
         _say_in_newest_words(made)
     return made

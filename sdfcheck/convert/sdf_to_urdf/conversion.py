@@ -149,7 +149,7 @@ def enter_models(context: Context) -> list[Element]:
     for name, frame in context.frames.items():
         if isinstance(frame, Model) and frame.is_readable:
             message = f"model `{name}` is made a part of the robot; its names begin with `{name.replace('::', '__')}__`"
-            context.ledger.note(LossKind.MERGED_MODEL, frame.place, message, Severity.INFO)
+            context.ledger.note(LossKind.MERGED_MODEL, frame.place, message)
             brought, scope = frame.element, name
         elif isinstance(frame, MergedFrame):
             brought, scope = frame.model.element, name.rpartition("::")[0]

@@ -265,3 +265,11 @@ def test_equal_names_are_numbered_upwards() -> None:
         "arm_2",
         "arm_3",
     ]
+
+
+def test_a_setting_that_is_given_again_is_in_neither_robot() -> None:
+    physics = "<physics><ode><limit><cfm>0.1</cfm></limit></ode></physics><physics><ode><erp>0.9</erp></ode></physics>"
+    text = f'<sdf version="1.9"><model name="m">{_LINKS}{_joint("revolute", physics)}</model></sdf>'
+    verification = convert(read(text.encode(), Path("m.sdf"), Kind.SDF)).verification
+    assert verification is not None
+    assert verification.is_equal, verification.differences
