@@ -1447,14 +1447,6 @@ class Model(Scope):
         return tuple(self._parts("material")) if self.is_urdf else ()
 
     @lazy
-    def materials_by_name(self) -> dict[str, Material]:
-        """The materials that a URDF robot defines, by name; of two of one name the first."""
-        found: dict[str, Material] = {}
-        for material in self.materials:
-            found.setdefault(material.name, material)
-        return found
-
-    @lazy
     def transmissions(self) -> tuple[Transmission, ...]:
         """The transmissions of a URDF robot."""
         return tuple(self._parts("transmission")) if self.is_urdf else ()

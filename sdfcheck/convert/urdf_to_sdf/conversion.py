@@ -201,7 +201,7 @@ class _Writer:
         self.root: Element = document.root
         self.robot = robot
         self.context = context
-        self.materials = Materials(self.root, context)
+        self.materials = Materials(root_of(document).models[0], context)
         self.links = Links(context, self.materials)
         self.materials.uri = self.links.uri
         self.joints = Joints(context)

@@ -15,6 +15,7 @@ from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import INERTIAL, number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.motion.rotations import Array
@@ -25,22 +26,17 @@ from sdfcheck.source.document import Comment, Element
 
 
 class Materials:
-    """The materials of a robot, by name; the first definition of a name counts, as with urdfdom."""
+    """The materials of a robot, by name: those that count."""
 
-    def __init__(self, root: Element, context: Context) -> None:
+    def __init__(self, robot: Model, context: Context) -> None:
         self.context = context
         self.uri: Callable[[Element, str], str] = lambda element, text: text
-        self.named: dict[str, Element] = {}
-        inline = (
-            material
-            for link in root.children("link")
-            for visual in link.children("visual")
-            for material in visual.children("material")
-        )
-        self.defined = list(root.children("material"))
-        for material in (*self.defined, *inline):
-            if _says_something(material):
-                self.named.setdefault(material.attributes.get("name", ""), material)
+        self.named = {
+            name: material.element
+            for name, material in robot.material_names.defined.items()
+            if material.has_look
+        }
+        self.defined = [material.element for material in robot.materials]
 
     def write(self, used: Element, visual: Xml) -> None:
         """The material of a visual."""

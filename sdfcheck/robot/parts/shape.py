@@ -84,11 +84,15 @@ class Material(Part):
 
     @property
     def defined(self) -> Material:
-        """In URDF: itself, or the robot's material of this name where only the name is given."""
+        """In URDF: the first material of its name that says what it looks like; the others of that name do not count.
+
+        Without one, and without a name, it is the material itself.
+        """
         model = self.within(Model)
-        if self.has_look or model is None:
+        if model is None or not self.name:
             return self
-        return model.materials_by_name.get(self.name, self)
+        found = model.material_names.defined.get(self.name, self)
+        return found if found.has_look else self
 
 
 _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {
@@ -350,7 +354,7 @@ class Visual(Shape):
 
     @lazy
     def material(self) -> Material:
-        """Its material; in URDF the one that the robot defines by that name, where only the name is given."""
+        """Its material; in URDF the one that counts for its name."""
         return self.own_material.defined if self.is_urdf else self.own_material
 
     @lazy
