@@ -12,7 +12,6 @@ from sdfcheck import (
     Severity,
     accepts,
     refuses,
-    warns,
 )
 from sdfcheck_rules.nam.taken import is_free
 
@@ -28,7 +27,7 @@ class ClashingName(Rule):
 
     Links, joints, frames and nested models are frames to each other and share one name
     space, so a clash is refused; in files up to version 1.6 libsdformat renames the later
-    one, and references mean the earlier. In URDF joints and links have names of their own,
+    one, and references mean the earlier; `gz sdf --check` complains. In URDF joints and links have names of their own,
     until libsdformat makes SDFormat of it: even a fixed joint, which it merges away, leaves
     a frame of its name. A visual and a collision do no harm by one name, but the
     specification wants siblings to differ and `gz sdf --check` says so.
@@ -97,7 +96,7 @@ class ClashingName(Rule):
             message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"
             affects = {} if makes_frame else ASIDE
             if is_renamed:
-                affects = {Consumer.GAZEBO: warns("renames it")}
+                affects = {Consumer.GAZEBO: refuses("its checker refuses the file; simulators rename it")}
                 message += ", so libsdformat renames it"
             yield self.diagnostic(
                 later.value,

@@ -20,8 +20,6 @@ from sdfcheck.consumers.engines.child import Refused, say
 
 _VALID = "Valid."
 """Printed where there is no error; the exit code does not say it in all releases."""
-_OF_THE_PROGRAM = re.compile(r"(?:Error \[[^\]]*\] )?Error: Non-unique names detected in ")
-"""An error of the program alone, which looks for names that any two elements share: Gazebo loads the file."""
 _COLOR = re.compile(r"\x1b\[[0-9;]*m")
 _CANDIDATES = (("gz-sdformat-sdf",), ("gz", "sdf"), ("ign", "sdf"), ("sdf",))
 """Newest first; ``sdf`` may be another program, and must know the option ``--print``."""
@@ -75,15 +73,12 @@ def version() -> str:
 def load(question: dict[str, Any]) -> dict[str, Any]:
     """Check a file, from the folder that it is in."""
     done = _call("--check", question)
-    output, shared = _OF_THE_PROGRAM.subn("\n", _COLOR.sub("", done.stderr + done.stdout))
-    said = [line.strip() for line in output.splitlines() if line.strip()]
+    said = [line.strip() for line in _COLOR.sub("", done.stderr + done.stdout).splitlines() if line.strip()]
     say("\n".join(line for line in said if line != _VALID))
     if done.returncode < 0:
         os.kill(os.getpid(), -done.returncode)
     if done.returncode or not any(line.endswith(_VALID) for line in said):
-        errors = [line for line in said if "Error Code" in line or line.startswith("Error")]
-        if shared and not errors:
-            return question
+        errors = [line for line in said if line.startswith("Error")]
         raise Refused(next(iter([*(e for e in errors if e.startswith("Error Code")), *errors, *said]), ""))
     return question
 

@@ -68,19 +68,6 @@ def test_refusals(engine: Engine, arm: Path) -> None:
     assert good.is_accepted
 
 
-@pytest.mark.peers
-@pytest.mark.parametrize(("version", "is_accepted"), [("1.6", True), ("1.8", False)])
-def test_names_that_a_link_and_a_joint_share(version: str, is_accepted: bool, tmp_path: Path) -> None:
-    """libsdformat renames the joint in old files, which its program alone calls an error."""
-    skip_without(Engine.LIBSDFORMAT)
-    file = tmp_path / "m.sdf"
-    file.write_text(
-        f'<sdf version="{version}"><model name="m"><link name="a"/><link name="b"/><joint name="b" type="fixed">'
-        "<parent>a</parent><child>b</child></joint></model></sdf>"
-    )
-    assert ask(Engine.LIBSDFORMAT, Question(file)).is_accepted is is_accepted
-
-
 def merged_frame(folder: Path, monkeypatch: pytest.MonkeyPatch, script: str) -> None:
     """A program in the place of ``check_urdf``."""
     if os.name != "posix":
