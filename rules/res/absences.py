@@ -35,14 +35,18 @@ class Absences:
 
 
 def reactions(resource: Resource, missing: Reaction) -> dict[Consumer, Reaction]:
-    """Drake and PyBullet look for the meshes of links, MuJoCo for those of collisions that are paths."""
+    """Drake and PyBullet look for the meshes of links, MuJoCo for those of collisions that are paths.
+
+    Drake looks for the textures of URDF, too.
+    """
     roles = {each.name for each in resource.element.around}
     is_mesh = (resource.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
     opened = is_mesh and "collision" in roles and ":/" not in resource.uri
     unread = accepts("does not look for it")
     of_link = missing if is_mesh and roles & {"visual", "collision"} else unread
+    is_picture = resource.element.name == "texture" and resource.root.is_urdf
     return {
-        Consumer.DRAKE: of_link,
+        Consumer.DRAKE: missing if is_picture else of_link,
         Consumer.PYBULLET: of_link,
         Consumer.MUJOCO: missing if opened else unread,
     }
