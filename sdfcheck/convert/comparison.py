@@ -336,6 +336,12 @@ _EQUAL = 8
 """So many shapes of the result are taken into account that equal one of the source."""
 
 
+def _kind(joint: Joint) -> str:
+    """The kind of a joint; one that turns between limits that nobody reaches is continuous."""
+    is_endless = bool(joint.axes) and joint.axes[0].lower <= -ENDLESS and joint.axes[0].upper >= ENDLESS
+    return "continuous" if joint.kind == "revolute" and is_endless else joint.kind
+
+
 def _bounds_apart(
     a: Axis, b: Axis, tolerance: float, unlimited: float = ENDLESS
 ) -> Iterator[tuple[str, float, float]]:
@@ -699,7 +705,7 @@ class _Changes:
 
     def joint(self, a: Joint, b: Joint) -> Iterator[Change]:
         name = b.name
-        if a.kind != b.kind:
+        if _kind(a) != _kind(b):
             yield self.changed("joint", name, "type", a.kind, b.kind)
         ends = [self.names.links.get(end, end) for end in (a.parent, a.child)]
         if ends == [b.child, b.parent] and b.parent != b.child:

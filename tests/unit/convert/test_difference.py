@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.cli.main import main
 from sdfcheck.convert.comparison import Change, ChangeKind
 from sdfcheck.convert.file_difference import FileDifference, compare_files
 from tests.unit.robot.files import opened, write
@@ -277,3 +278,20 @@ def test_a_moved_frame_of_the_first_link_is_one_change(tmp_path: Path) -> None:
       <axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
     (change,) = changes(tmp_path, model.format(1, 0), model.format(0, 1))
     assert (change.part, change.name, change.what) == ("link", "a", "frame")
+
+
+def test_a_joint_without_limits_that_matter_is_continuous(tmp_path: Path) -> None:
+    joint = '<joint name="j" type="{}"><parent link="a"/><child link="b"/><limit {} effort="1" velocity="1"/></joint>'
+    texts = [
+        f'<robot name="r"><link name="a"/><link name="b"/>{joint.format(*given)}</robot>'
+        for given in (
+            ("revolute", 'lower="-1e16" upper="1e16"'),
+            ("continuous", ""),
+            ("revolute", 'lower="-9" upper="9"'),
+        )
+    ]
+    files = [tmp_path / f"{number}.urdf" for number in range(3)]
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text)
+    assert main(["diff", str(files[0]), str(files[1]), "--isolated"]) == 0
+    assert main(["diff", str(files[0]), str(files[2]), "--isolated"]) == 1
