@@ -276,7 +276,7 @@ class Links:
             if there is not None:
                 self.context.carry(inertial.find(name), there)
 
-    def _held(self, part: Element, survivor: str) -> tuple[Element, str] | None:
+    def _held(self, part: Element) -> tuple[Element, str] | None:
         """The shape of a visual or collision, and SDFormat's name for it; reported if that has no such shape."""
         context = self.context
         geometry = part.find("geometry")
@@ -285,7 +285,7 @@ class Links:
         if shape is None or not (shape.name in {"mesh", *_OF_VENDORS} or shape.name in _SHAPES):
             context.dropped_shapes.add(shape.name if shape is not None else "")
             kind = f"<{shape.name}>" if shape is not None else "no shape"
-            text = f"the {part.name} of link `{survivor}` has {kind}, which is not a shape of URDF"
+            text = f"the {part.name} of link `{link_of(part)}` has {kind}, which is not a shape of URDF"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
         elif not context.allows(f"link/{part.name}/geometry/{name}"):
             context.dropped_shapes.add(name)
@@ -293,7 +293,7 @@ class Links:
             context.lose(shape, LossKind.UNSUPPORTED_GEOMETRY, text)
             context.ledger.drop(part)
         elif not self._has_size(shape, name):
-            text = f"the {part.name} of link `{survivor}` is left out: SDFormat has no {name} of size 0"
+            text = f"the {part.name} of link `{link_of(part)}` is left out: SDFormat has no {name} of size 0"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
         else:
             return shape, name
@@ -308,7 +308,7 @@ class Links:
             shapes = (shape.name for each in part.children("geometry") for shape in each.children())
             context.dropped_shapes |= {_OF_VENDORS.get(name, name) for name in shapes}
             return
-        held = self._held(part, survivor)
+        held = self._held(part)
         if held is None:
             return
         shape, name = held
