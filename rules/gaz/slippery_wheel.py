@@ -39,7 +39,6 @@ class SlipperyWheel(Rule):
     In SDFormat it is `<surface><friction><ode><mu>1</mu><mu2>1</mu2>` in the collision, in URDF `<mu1>` and
     `<mu2>` in a `<gazebo>` block about the link.
     """
-    preview = True
     looks_at = (Plugin,)
 
     bad = (

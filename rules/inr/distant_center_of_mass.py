@@ -24,7 +24,6 @@ class DistantCenterOfMass(Rule):
     measured from the origin of the whole assembly: subtract the position of the link, or export the part in
     its own coordinate system.
     """
-    preview = True
     looks_at = (Inertial,)
     scaffold = IN_LINK
 

@@ -20,7 +20,6 @@ class MissingUpperLimit(Rule):
     Radians for joints that turn, meters for those that slide. A joint that has no end on that side is rare:
     a continuous one has no limits at all.
     """
-    preview = True
     looks_at = (Limit,)
     scaffold = IN_JOINT
 

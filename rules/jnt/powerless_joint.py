@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
+from sdfcheck import IN_URDF_JOINT, Bad, ControlComponent, Diagnostic, Good, Limit, Number, Rule, Severity
 from sdfcheck_rules.jnt.zero_limit import is_locked, zeros
 
 JOINT = (
@@ -9,8 +9,10 @@ JOINT = (
 )
 DRIVEN = (
     JOINT
-    + '<ros2_control name="c" type="system"><hardware><plugin>mock_components/GenericSystem</plugin></hardware>'
-    '<joint name="j"><command_interface name="position"/></joint></ros2_control></robot>'
+    + '<ros2_control name="c" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+    '<joint name="j"><command_interface name="position"/></joint></ros2_control>'
+    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<parameters>c.yaml</parameters></plugin></gazebo></robot>"
 )
 TRANSMITTED = (
     JOINT + '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>'
@@ -23,7 +25,8 @@ class PowerlessJoint(Rule):
 
     Exporters write 0 where nobody has entered a number. Simulators take it for the limit that it is, so that the joint
     does not follow its commands; planners find no way to move it, and Drake makes no actuator for a transmission.
-    Of 2,761 joints that are driven in public robots one has such a limit, in a test of Drake.
+    An effort of 0 is harmless where `ros2_control` commands positions or velocities of other hardware than a
+    simulator's, as many robots of ROS-Industrial have it, and is not reported there.
     """
 
     code = "JNT025"
@@ -60,19 +63,24 @@ class PowerlessJoint(Rule):
             scaffold=IN_URDF_JOINT,
             why="nothing drives it",
         ),
+        Good(
+            '<limit lower="-1" upper="1" effort="0" velocity="1"/>',
+            scaffold=DRIVEN.replace("gz_ros2_control/GazeboSimSystem", "mock_components/GenericSystem"),
+            why="positions are commanded",
+        ),
     )
 
     @staticmethod
     def applies(limit: Limit) -> bool:
         return (
-            bool(zeros(limit))
+            limit.joint.driver is not None
             and limit.joint.moves
-            and limit.joint.driver is not None
+            and bool(lacking(limit))
             and not is_locked(limit)
         )
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
-        found, driver = zeros(limit), limit.joint.driver
+        found, driver = lacking(limit), limit.joint.driver
         if driver is None:
             return
         names, (first, *_) = " and ".join(found), found.values()
@@ -83,3 +91,12 @@ class PowerlessJoint(Rule):
             f"{names} of {limit.joint.title} {verb} limited to 0, and `{what}` drives it",
             labels={driver: "drives it"},
         )
+
+
+def lacking(limit: Limit) -> dict[str, Number]:
+    """The limits that are 0 and that its driver is subject to."""
+    found, driver = zeros(limit), limit.joint.driver
+    if isinstance(driver, ControlComponent) and not driver.block.is_simulated:
+        commanded = {interface.name for interface in driver.commands}
+        return {name: number for name, number in found.items() if name != "effort" or name in commanded}
+    return found

@@ -26,7 +26,6 @@ class ControlWithoutSimulator(Rule):
     </gazebo>
     ```
     """
-    default = False
     looks_at = (Ros2Control,)
     scaffold = IN_ROBOT
 

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Rule, Severity
-from sdfcheck_rules.r2c.scaffold import IN_LIFT
+from sdfcheck_rules.r2c.scaffold import IN_BLOCK
 
 
 class MimicParameter(Rule):
@@ -20,15 +20,15 @@ class MimicParameter(Rule):
     """
     default = False
     looks_at = (ControlComponent,)
-    scaffold = IN_LIFT
+    scaffold = IN_BLOCK
 
     bad = (
         Bad(
-            '<«param» name="mimic">follower</param>',
+            '<joint name="follower" mimic="false"/><joint name="lift"><«param» name="mimic">follower</param></joint>',
             says="parameter `mimic` of joint `lift` is ignored from jazzy on; write `<mimic>` in the joint itself",
         ),
     )
-    good = (Good('<param name="gain">3</param>'),)
+    good = (Good('<joint name="lift"><param name="gain">3</param></joint>'),)
 
     @staticmethod
     def applies(component: ControlComponent) -> bool:

@@ -44,7 +44,12 @@ class ObsoleteControlPlugin(Rule):
             unsafe=True,
             says="`fake_components/GenericSystem` is gone from jazzy on; it is `mock_components/GenericSystem` now",
         ),
-        Bad(BLOCK.replace("{}", "«ign_ros2_control/IgnitionSystem»"), says="is an old name from iron on"),
+        Bad(
+            BLOCK.replace("{}", "«ign_ros2_control/IgnitionSystem»")
+            + '<gazebo><plugin filename="ign_ros2_control-system" '
+            'name="ign_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            says="is an old name from iron on",
+        ),
     )
     good = (
         Good(BLOCK.replace("{}", "gazebo_ros2_control/GazeboSystem"), why="Gazebo Classic has no newer one"),

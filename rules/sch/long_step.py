@@ -21,7 +21,6 @@ class LongStep(Rule):
     `real_time_update_rate` × step is how fast the simulation may run: 1000 × 0.001 is real time. Steps
     above 0.01 s make contacts and fast joints unstable.
     """
-    preview = True
     looks_at = (Physics,)
     scaffold = IN_WORLD
 

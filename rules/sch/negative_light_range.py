@@ -19,7 +19,6 @@ class NegativeLightRange(Rule):
     Together with `constant`, `linear` and `quadratic` it is the attenuation of a point or spot light. 10 to
     20 m suits a room.
     """
-    preview = True
     looks_at = (Light,)
     scaffold = IN_WORLD
 

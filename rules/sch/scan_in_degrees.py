@@ -28,7 +28,6 @@ class ScanInDegrees(Rule):
     A full turn is from -3.1415927 to 3.1415927. Beams at both ends fall together then, so use one sample
     less of the turn if that matters.
     """
-    preview = True
     looks_at = (Sensor,)
     scaffold = IN_LINK
 

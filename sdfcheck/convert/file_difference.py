@@ -50,9 +50,11 @@ def placed_models(document: Document) -> dict[str, Placed]:
     Raises DescriptionError or PoseError where one cannot be read.
     """
     if document.kind is Kind.URDF:
-        model = root_of(document).models[0]
-        robot = _as_sdf_has_it(mechanism_of(model, vendors=True))
-        return {robot.name: Placed(robot, of_urdf(model), *_placement(document))}
+        found = {}
+        for model in root_of(document).models:
+            robot = _as_sdf_has_it(mechanism_of(model, vendors=True))
+            found[robot.name] = Placed(robot, of_urdf(model), *_placement(document))
+        return found
     if needs_writing_out(document):
         document, _ = written_out(document)
     return {model.name: _placed(model, model.root.poses.in_scope(model)) for model in models(document)}

@@ -1496,7 +1496,8 @@ class Model(Scope):
         for element in self.root.elements.get("plugin", ()):
             plugin = cast("Plugin", self.root.part_of(element))
             if plugin.kind == "plugin" and any(word in plugin.filename.lower() for word in _DRIVING):
-                yield from ((each.joint, plugin) for each in plugin.references if each.model is self)
+                joints = (each.joint for each in plugin.references)
+                yield from ((joint, plugin) for joint in joints if joint is not None and joint.model is self)
 
     @lazy
     def control_by_name(self) -> dict[str, Ros2Control]:

@@ -287,6 +287,9 @@ class ExpandedDocument(Document):
             return span
         number = max(bisect_right(self.scan.starts, span.start) - 1, 0)
         element = self.elements[number]
+        comment = next((place for place in self.scan.comments if place[0] <= span.start < place[1]), None)
+        if comment is not None and (found := self._in_comment(span, comment, number)) is not None:
+            return found
         tag = parse_start_tag(self.source, self.scan.starts[number])[0]
         for attribute in tag.attributes:
             if attribute.value_start <= span.start and span.end <= attribute.value_end:
@@ -294,6 +297,19 @@ class ExpandedDocument(Document):
             if attribute.name_start <= span.start and span.end <= attribute.name_end:
                 return self.spans.attribute_name(element, attribute.name)
         return self.spans.name(element)
+
+    def _in_comment(self, span: Span, comment: tuple[int, int], number: int) -> Span | None:
+        """A place in a comment: it is written after the element before it, or before the one after it."""
+        text = self.source.text[slice(*comment)]
+        for element in self.elements[number : number + 2]:
+            written, at = self.spans.home(element).text, element.span.start
+            start = (
+                written.rfind(text, 0, at) if element is not self.elements[number] else written.find(text, at)
+            )
+            if start >= 0:
+                moved = start - comment[0]
+                return self.spans.span(element, span.start + moved, span.end + moved)
+        return None
 
 
 # The expanded text with comments that say where each element was written.

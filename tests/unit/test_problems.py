@@ -337,6 +337,32 @@ PROBLEMS = {
         "",
         suffix=".sdf",
     ),
+    "a lidar has its type of Classic": Problem(
+        "GAZ022",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo reference="body">\n<sensor name="s" type="@@"><topic>scan</topic>'
+            f"<ray>{SCAN}</ray></sensor>\n</gazebo>",
+        ),
+        "ray",
+        "gpu_lidar",
+    ),
+    "the driven wheels have no friction": Problem(
+        "GAZ018",
+        robot(CART, DRIVE, '<gazebo reference="left"><mu1>@@</mu1><mu2>@@</mu2></gazebo>'),
+        "0.0",
+        "1.0",
+    ),
+    "the joints of a drive are without power": Problem(
+        "JNT025",
+        robot(
+            CART.replace('<axis xyz="0 1 0"/>', '<axis xyz="0 1 0"/><limit effort="@@" velocity="9"/>', 1),
+            DRIVE,
+        ),
+        "0",
+        "9",
+    ),
     "a plugin has its name of Fortress": Problem(
         "GAZ001",
         '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n@@\n</world>\n</sdf>\n',
@@ -372,6 +398,31 @@ PROBLEMS = {
         ),
         "fake_components/GenericSystem",
         "gazebo_ros2_control/GazeboSystem",
+    ),
+    "nothing in the robot starts its controllers": Problem(
+        "R2C029",
+        robot(
+            "@@",
+            ARM,
+            CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder"),
+        ),
+        "",
+        GZ_CONTROL.format("gz_ros2_control-system"),
+        17,
+    ),
+    "the leader of a finger is not in its ros2_control": Problem(
+        "R2C035",
+        robot(
+            ARM,
+            FINGER,
+            CONTROL.format("mock_components/GenericSystem", "shoulder").replace(
+                "</ros2_control>",
+                '<joint name="grip"><command_interface name="position"/><param name="mimic">@@</param></joint>\n'
+                "</ros2_control>",
+            ),
+        ),
+        "shoulder_joint",
+        "shoulder",
     ),
     "ros2_control is for a joint that the robot does not have": Problem(
         "URD012",

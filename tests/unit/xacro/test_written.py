@@ -78,3 +78,20 @@ def test_a_parameter_may_name_any_file(tmp_path: Path) -> None:
     body = """<xacro:if value="${kind == ''}"><xacro:property name="kind" value="none"/></xacro:if>"""
     body += '<xacro:include filename="${kind}.xacro"/><xacro:tip a="1" b="2"/>'
     assert found(macro(body, "kind"), tmp_path) == []
+
+
+def test_a_place_in_the_comment_of_a_macro_is_where_the_comment_is_written(tmp_path: Path) -> None:
+    part = tmp_path / "part.xacro"
+    part.write_text(
+        f"{HEAD}\n<xacro:macro name='part' params='p'>\n<!-- frame: of the tool -->\n<link name='${{p}}a'/>\n"
+        "<!-- seen: twice -->\n</xacro:macro>\n</robot>"
+    )
+    robot = tmp_path / "bot.urdf.xacro"
+    robot.write_text(
+        HEAD.replace("<robot", '<robot name="bot"')
+        + '<xacro:include filename="part.xacro"/><link name="b"/><xacro:part p="x_"/></robot>'
+    )
+    run = sdfcheck.lint(robot, isolated=True, select=["URD015"])
+    (found,) = run.diagnostics
+    source = found.span.source
+    assert (source.path.name, source.position(found.span.start).line) == ("part.xacro", 3)
