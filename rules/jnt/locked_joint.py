@@ -2,15 +2,17 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
 from sdfcheck_rules.jnt.inverted_limits import BOUNDED
+from sdfcheck_rules.jnt.powerless_joint import TRANSMITTED, driver_name
 
 AXIS = "<axis><xyz>0 0 1</xyz><limit><lower>{}</lower><upper>{}</upper></limit></axis>"
 
 
 class LockedJoint(Rule):
-    """The lower limit of a joint equals its upper one, and is not 0.
+    """The lower limit of a joint equals its upper one, and is not 0, or something is to drive the joint.
 
-    Nothing can move the joint, and it cannot be at 0, where simulations start. A sign or a number was lost, or an
-    exporter wrote one value for both. Joints locked at 0, so that Gazebo keeps their links, are not reported.
+    Nothing can move the joint, and with another limit than 0 it cannot be where simulations start. A sign or a number
+    was lost, or an exporter wrote one value for both. Joints that nothing drives are often locked at 0, so that Gazebo
+    keeps their links; they are not reported.
     """
 
     code = "JNT023"
@@ -34,6 +36,11 @@ class LockedJoint(Rule):
             scaffold=IN_URDF_JOINT,
             says="joint `j` cannot move",
         ),
+        Bad(
+            '<limit lower="«0»" upper="0" effort="0" velocity="0"/>',
+            scaffold=TRANSMITTED,
+            says="lower limit 0 equals the upper one: joint `j` cannot move, and `transmission` drives it",
+        ),
     )
     good = (
         Good(AXIS.format("0", "0"), why="locked on purpose"),
@@ -49,14 +56,17 @@ class LockedJoint(Rule):
     @staticmethod
     def applies(limit: Limit) -> bool:
         lower, upper = limit.lower, limit.upper
-        if not (lower.is_given and upper.is_given and lower.number == upper.number != 0):
+        if not (lower.is_given and upper.is_given and lower.number == upper.number):
             return False
-        return limit.joint.type in BOUNDED and limit.axis.limit is limit
+        if limit.joint.type not in BOUNDED or limit.axis.limit is not limit:
+            return False
+        return lower.number != 0 or limit.joint.driver is not None
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
-        lower, upper = limit.lower, limit.upper
-        yield self.diagnostic(
-            lower,
-            f"lower limit {lower.text} equals the upper one: {limit.joint.title} cannot move",
-            labels={upper: "the upper limit"},
-        )
+        lower, upper, driver = limit.lower, limit.upper, limit.joint.driver
+        message = f"lower limit {lower.text} equals the upper one: {limit.joint.title} cannot move"
+        labels: dict[object, str] = {upper: "the upper limit"}
+        if driver is not None:
+            message += f", and `{driver_name(driver)}` drives it"
+            labels[driver] = "drives it"
+        yield self.diagnostic(lower, message, labels=labels)

@@ -1,6 +1,17 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_JOINT, Bad, ControlComponent, Diagnostic, Good, Limit, Number, Rule, Severity
+from sdfcheck import (
+    IN_URDF_JOINT,
+    Bad,
+    ControlComponent,
+    Diagnostic,
+    Good,
+    Limit,
+    Number,
+    Part,
+    Rule,
+    Severity,
+)
 from sdfcheck_rules.jnt.zero_limit import is_locked, zeros
 
 JOINT = (
@@ -85,12 +96,16 @@ class PowerlessJoint(Rule):
             return
         names, (first, *_) = " and ".join(found), found.values()
         verb = "are" if len(found) > 1 else "is"
-        what = "ros2_control" if driver.kind == "component" else driver.kind
         yield self.diagnostic(
             first,
-            f"{names} of {limit.joint.title} {verb} limited to 0, and `{what}` drives it",
+            f"{names} of {limit.joint.title} {verb} limited to 0, and `{driver_name(driver)}` drives it",
             labels={driver: "drives it"},
         )
+
+
+def driver_name(driver: Part) -> str:
+    """The element that drives a joint."""
+    return "ros2_control" if driver.kind == "component" else driver.kind
 
 
 def lacking(limit: Limit) -> dict[str, Number]:
