@@ -46,8 +46,7 @@ class ObsoleteControlPlugin(Rule):
         ),
         Bad(
             BLOCK.replace("{}", "«ign_ros2_control/IgnitionSystem»")
-            + '<gazebo><plugin filename="ign_ros2_control-system" '
-            'name="ign_ros2_control::IgnitionROS2ControlPlugin"><parameters>c.yaml</parameters></plugin></gazebo>',
+            + '<gazebo><plugin filename="libarm_ros2_control.so" name="c"/></gazebo>',
             says="is an old name from iron on",
         ),
     )

@@ -1,3 +1,4 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -9,9 +10,12 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
+    Fix,
     Good,
     Rule,
     Severity,
+    Value,
     lacking,
     problems,
     replace,
@@ -64,6 +68,12 @@ class MissingElement(Rule):
             says="`sphere` has no `radius`, only text, so the default 1 applies",
         ),
         Bad(
+            '<geometry><sphere «radius»="0.5"/></geometry>',
+            fixed="<geometry><sphere><radius>0.5</radius></sphere></geometry>",
+            unsafe=True,
+            says="`sphere` has no `radius`, which is an element there, not an attribute, so the default 1 applies",
+        ),
+        Bad(
             "<geometry><box><size>1 1 1</size></box></geometry>"
             "<material><script>«Gazebo/Red»</script></material>",
             scaffold=IN_VISUAL,
@@ -113,6 +123,10 @@ class MissingElement(Rule):
             if problem.fits:
                 text = f"<{problem.child}>{place.text}</{problem.child}>"
                 fix = replace(place, text, f"write `{text}`", unsafe=True)
+        elif problem.is_attribute and (attribute := problem.element.attribute(problem.child)) is not None:
+            place = attribute.name_span
+            message += ", which is an element there, not an attribute"
+            fix = _as_element(problem.element, attribute)
         if problem.refused:
             yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
             return
@@ -120,3 +134,14 @@ class MissingElement(Rule):
             message += f", so the default {problem.default} applies"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
+
+
+def _as_element(element: Element, attribute: Value) -> Fix | None:
+    """The fix that writes the only attribute of an empty element as an element."""
+    source, name = element.span.source, attribute.attribute
+    tag = re.compile(rf"<{re.escape(element.name)}\s+{name}\s*=\s*([\"'])([^\"'<&]*)\1\s*/>")
+    match = tag.match(source.text, element.span.start - 1)
+    if match is None:
+        return None
+    text = f"<{element.name}><{name}>{match[2]}</{name}></{element.name}>"
+    return replace(source.span(*match.span()), text, f"write `{text}`", unsafe=True)

@@ -160,6 +160,25 @@ def folded(found: list[object]) -> list[object]:
     return [_with_others(problem, alike) for problem in first_of_kind]
 
 
+def folded_attributes(found: list[object]) -> list[object]:
+    """The problems, with one for a child that is missing and an attribute that has its name."""
+    lacking = {(each.element, each.child) for each in found if isinstance(each, MissingElement)}
+    written = {
+        key
+        for each in found
+        if isinstance(each, UnknownAttribute) and (key := (each.element, each.attribute)) in lacking
+    }
+    if not written:
+        return found
+    return [
+        each.changed(is_attribute=True)
+        if isinstance(each, MissingElement) and (each.element, each.child) in written
+        else each
+        for each in found
+        if not (isinstance(each, UnknownAttribute) and (each.element, each.attribute) in written)
+    ]
+
+
 def folded_texts(found: list[object]) -> list[object]:
     """The problems, with one for an element that holds a text in place of the children that it lacks."""
     texts = {each.element: each for each in found if isinstance(each, StrayText)}

@@ -111,7 +111,7 @@ class MissingElement(Record):
 
     ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
     all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
-    text is a value for the child.
+    text is a value for the child. ``is_attribute``: it is written as an attribute.
     """
 
     element: Element
@@ -121,6 +121,7 @@ class MissingElement(Record):
     text: Span | None = None
     others: tuple[str, ...] = ()
     fits: bool = False
+    is_attribute: bool = False
 
 
 class MissingAttribute(Record):

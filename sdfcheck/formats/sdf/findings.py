@@ -3,12 +3,28 @@
 from __future__ import annotations
 
 from sdfcheck.formats import history, problems
-from sdfcheck.formats.findings import Findings, counted, folded, folded_texts, judge, text_problems
+from sdfcheck.formats.findings import (
+    Findings,
+    counted,
+    folded,
+    folded_attributes,
+    folded_texts,
+    judge,
+    text_problems,
+)
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
+
+_NUMBERS = frozenset(("double", "float", "int", "unsigned int", "vector2d", "vector3", "pose"))
+
+
+def _holds(element: Element, meant: Definition) -> bool:
+    """Whether an element holds numbers that another one accepts."""
+    return meant.type in _NUMBERS and bool(element.content and meant.accepts(element.content))
+
 
 # Where an element that is in the wrong place was meant to be.
 
@@ -251,8 +267,27 @@ class SdfFindings(Findings):
             refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
             self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
 
+    def judge_misplaced(self) -> None:
+        """Note elements in place of a child that is missing: its older name, or one that holds its numbers.
+
+        The latter only where nothing else is missing.
+        """
+        lacking: dict[Element, list[tuple[str, Definition]]] = {}
+        for parent, place, name in self.missing_children:
+            if (parent, name) not in self.misspelled:
+                lacking.setdefault(parent, []).append((name, place.children[name]))
+        for at, problem in enumerate(self.found if lacking else ()):
+            if isinstance(problem, problems.RemovedElement) and problem.successor is not None:
+                self.misspelled.add((problem.parent, problem.successor))
+            elif isinstance(problem, problems.MisplacedElement) and problem.suggestion is None:
+                absent = lacking.get(problem.parent, ())
+                if len(absent) == 1 and _holds(problem.element, absent[0][1]):
+                    self.found[at] = problem.changed(suggestion=absent[0][0])
+                    self.misspelled.add((problem.parent, absent[0][0]))
+
     def conclude(self) -> list[object]:
         self.judge_unknown()
+        self.judge_misplaced()
         for parent, place, name in self.missing_children:
             if (parent, name) in self.misspelled | self.elsewhere:
                 continue
@@ -260,7 +295,7 @@ class SdfFindings(Findings):
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name))
-        self.found = folded_texts(self.found)
+        self.found = folded_attributes(folded_texts(self.found))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
         for (_, attribute, since), uses in self.uses_too_new.items():
