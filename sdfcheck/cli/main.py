@@ -5,7 +5,6 @@ Exit codes: 0 clean, 1 findings, 2 could not run, 130 interrupted.
 
 from __future__ import annotations
 
-import gc
 import os
 import sys
 import warnings
@@ -116,8 +115,6 @@ def sdfcheck(verbose: bool) -> None:
 
 def run() -> NoReturn:
     """The program ``sdfcheck``: a short-lived process, which is not taken apart piece by piece in the end."""
-    # Trees are acyclic and short-lived: collecting them early costs and frees nothing.
-    gc.set_threshold(500_000, 50, 100)
     if not sys.warnoptions:
         # Warnings of numpy about a document's numbers are of no use to its author.
         warnings.simplefilter("ignore")

@@ -8,10 +8,11 @@ from itertools import product
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 _FILE = Path(__file__).parent / "data" / "plugins.txt"
-_PREFIX = re.compile(r"^(?:ignition-gazebo\d*-|gz-sim\d*-)")
-_VERSIONED = re.compile(r"^(gz::sim|ignition::gazebo)::v\d+::")
+_PREFIX = pattern(r"^(?:ignition-gazebo\d*-|gz-sim\d*-)")
+_VERSIONED = pattern(r"^(gz::sim|ignition::gazebo)::v\d+::")
 _LONGEST = 8
 """Letters of a name that is tried in all spellings."""
 GZ_SIM = "gz-sim"

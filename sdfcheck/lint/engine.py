@@ -80,14 +80,22 @@ class Dispatch:
                 groups.setdefault(looked_at, []).append(facts)
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
         """Subjects, each with the rules that look at them."""
-        self._of_kind: dict[Kind, list[tuple[Subjects, list[RuleFacts]]]] = {}
+        self._of_kind: dict[Kind, list[tuple[frozenset[str] | None, Subjects, list[RuleFacts]]]] = {}
 
-    def groups_of(self, kind: Kind) -> list[tuple[Subjects, list[RuleFacts]]]:
-        """Those of the groups that documents of a kind can have subjects for."""
-        found = self._of_kind.get(kind)
-        if found is None:
-            found = self._of_kind[kind] = [group for group in self.groups if group[0].occur_in(kind)]
-        return found
+    def groups_of(self, document: Document) -> Iterator[tuple[Subjects, list[RuleFacts]]]:
+        """Those of the groups that a document can have subjects for, by its kind and the names in it."""
+        kind = document.kind
+        groups = self._of_kind.get(kind)
+        if groups is None:
+            groups = self._of_kind[kind] = [
+                (subjects.names_in(kind), subjects, rules)
+                for subjects, rules in self.groups
+                if subjects.occur_in(kind)
+            ]
+        are_absent = document.names.isdisjoint
+        for names, subjects, rules in groups:
+            if names is None or not are_absent(names):
+                yield subjects, rules
 
 
 def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
@@ -98,7 +106,7 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     tables = used_tables(document)
-    for subjects, rules in dispatch.groups_of(document.kind):
+    for subjects, rules in dispatch.groups_of(document):
         if seen := subjects.of(document, tables):
             for rule in rules:
                 found += _check(rule, seen, document, dispatch)

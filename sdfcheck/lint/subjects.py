@@ -39,10 +39,19 @@ class Subjects:
     without any of the texts in ``needs``. Made once for a run.
     """
 
-    __slots__ = ("_elsewhere", "_is_narrowed", "_parts", "_selectors", "looks_at", "needs", "selects")
+    __slots__ = (
+        "_elsewhere",
+        "_is_narrowed",
+        "_marks",
+        "_parts",
+        "_selectors",
+        "_texts",
+        "looks_at",
+        "selects",
+    )
 
     def __init__(self, looks_at: Sequence[str], selects: Sequence[str], needs: Sequence[str]) -> None:
-        self.looks_at, self.selects, self.needs = looks_at, selects, needs
+        self.looks_at, self.selects = looks_at, selects
         classes = [name for name in looks_at if name != Element.__name__]
         self._is_narrowed = bool(selects) and len(classes) == len(looks_at) > 0
         self._parts = [name for name in classes if name not in OF_TEXT and name not in OF_VENDORS]
@@ -53,6 +62,9 @@ class Subjects:
             dialect, _, path = selector.partition(":")
             *around, name = path.split("/")
             self._selectors.setdefault(dialect, []).append((name, tuple(reversed(around))))
+        self._marks = [need[1:] for need in needs if need.startswith("<")]
+        """Names of elements, one of which a document has to have; or one of the texts."""
+        self._texts = [need for need in needs if not need.startswith("<")]
 
     def occur_in(self, kind: Kind) -> bool:
         """Can documents of a kind have any?"""
@@ -63,9 +75,23 @@ class Subjects:
         kinds = [OF_TEXT[name][0] if name in OF_TEXT else None for name in self._elsewhere]
         return bool(self._parts and kind in _OF_ROBOTS) or None in kinds or kind in kinds
 
+    def names_in(self, kind: Kind) -> frozenset[str] | None:
+        """Names of elements, one of which a document of a kind has to have; None where they do not decide."""
+        names = {name for name, _ in self._selectors.get(kind.value, ())}
+        if self._elsewhere:
+            return None
+        if self._parts and not self._is_narrowed:
+            from sdfcheck.robot.graph import ELEMENTS
+
+            for name in self._parts:
+                if name not in ELEMENTS:
+                    return None
+                names.update(ELEMENTS[name])
+        return frozenset(names)
+
     def of(self, document: Document, tables: Sequence[Path] = ()) -> list[object]:
         """Those of a document; ``tables`` are those of the vendors whose prefix it seems to use."""
-        if document.root is None or (self.needs and not any(map(document.source.contains, self.needs))):
+        if document.root is None or not self._are_needed(document):
             return []
         selected: list[Element] = []
         for name, around in self._selectors.get(document.kind.value, ()):
@@ -80,6 +106,12 @@ class Subjects:
             for name in self._parts:
                 found += root.made_of(selected, name) if self._is_narrowed else root.each(name)
         return found if self._is_narrowed else [*found, *selected]
+
+    def _are_needed(self, document: Document) -> bool:
+        """Has a document one of the names or texts without which there is nothing to look at?"""
+        if not self._marks and not self._texts:
+            return True
+        return not document.names.isdisjoint(self._marks) or any(map(document.source.contains, self._texts))
 
     def among(self, parts: Sequence[Part], elements: Sequence[Element]) -> list[object]:
         """Those among some parts and elements of a robot in URDF."""

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import codecs
-import re
 from enum import Enum
 from pathlib import Path
 
 from sdfcheck.source.record import NamedTuple, Record
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, pattern
 
 
 class EncodingKind(Enum):
@@ -30,7 +29,7 @@ class EncodingDefect(Record):
     actual: str
 
 
-_DECLARATION = re.compile(r"""\s*<\?xml\s[^>]*?encoding\s*=\s*(["'])([A-Za-z][A-Za-z0-9._-]*)\1""")
+_DECLARATION = pattern(r"""\s*<\?xml\s[^>]*?encoding\s*=\s*(["'])([A-Za-z][A-Za-z0-9._-]*)\1""")
 # Longer marks first: UTF-32's little-endian mark begins with UTF-16's.
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8"),
@@ -47,9 +46,7 @@ _WIDE_STARTS = (
     (b"\0<", "utf-16-be"),
 )
 # Python knows text encodings that no XML file means (punycode, unicode_escape, …).
-_PLAUSIBLE = re.compile(
-    r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022"
-)
+_PLAUSIBLE = pattern(r"utf-|ascii|iso8859|latin|cp\d|windows|koi8|shift_jis|euc_|gb|big5|mac-roman|iso2022")
 
 
 def _as_latin1(error: UnicodeError) -> tuple[str, int]:

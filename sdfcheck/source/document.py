@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Set
 from operator import attrgetter
 from pathlib import Path
 from pyexpat import ExpatError, ParserCreate
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, cast, overlo
 
 from sdfcheck.source.decode import ATTRIBUTE_LIMIT, DEPTH_LIMIT, LENGTH_LIMIT, decode
 from sdfcheck.source.sniff import HEAD, Kind, sniff
-from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.source.text import Source, Span, Step, pattern
 
 if TYPE_CHECKING:
     from sdfcheck.source.problems import Problem
@@ -313,11 +313,11 @@ _NO_NODES = cast("list[Node]", ())
 # From an element to its characters.
 
 
-_PIECE = re.compile(
+_PIECE = pattern(
     r"<!--.*?(?:-->|\Z)|<!\[CDATA\[(?P<cdata>.*?)(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|(?P<markup><)|(?P<text>[^<]+)",
     re.DOTALL,
 )
-_WORD = re.compile(r"\S+")
+_WORD = pattern(r"\S+")
 _LONG = 1000
 """Characters of a start tag that is kept."""
 
@@ -440,9 +440,9 @@ class Spans:
 # Fills the tree of a document: one pass of a parser in C, which takes names as text.
 
 
-_LONG_TAG = re.compile(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
+_LONG_TAG = pattern(rf"<[^<]{{{5 * ATTRIBUTE_LIMIT}}}")
 """A tag in which there is room for so many attributes."""
-_LONG_TEXT = re.compile(rf"<(?:[^<]{{{LENGTH_LIMIT}}}|!\[CDATA\[)")
+_LONG_TEXT = pattern(rf"<(?:[^<]{{{LENGTH_LIMIT}}}|!\[CDATA\[)")
 """A tag or a text with room for so many characters, or a section, which may have all characters."""
 _DECLARATION = "xmlns"
 _Handlers = tuple[
@@ -667,7 +667,7 @@ class Document:
         self.root: Element | None
         self.elements: list[Element] = []
         """All elements, in the order of their start tags."""
-        self.names: Collection[str] = ()
+        self.names: Set[str] = frozenset()
         """The names of elements and attributes."""
         self.declared: dict[Element, dict[str, str]] = {}
         """Element → the prefixes that it declares, with their namespaces."""

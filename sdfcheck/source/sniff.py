@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from enum import Enum
 from pathlib import Path
 
+from sdfcheck.source.text import pattern
+
 HEAD = 65536
 """How many bytes of a file are worth looking at."""
 
@@ -123,7 +125,7 @@ _ROOTS = {
 }
 _ROBOT_TAGS = ("<sdf", "<robot", "<world", "<model")
 _SRDF_TAGS = frozenset({"disable_collisions", "group_state", "virtual_joint", "disable_default_collisions"})
-_TAG = re.compile(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
+_TAG = pattern(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 

@@ -8,10 +8,28 @@ from bisect import bisect_right
 from collections.abc import Mapping
 from itertools import accumulate
 from pathlib import Path
+from typing import cast
 
 from sdfcheck.source.record import NamedTuple
 
-_LINE_END = re.compile(r"\r\n?|\n")
+
+class _Pattern:
+    """A regular expression before its first use; then it has the methods of what was compiled."""
+
+    def __init__(self, text: str, flags: int) -> None:
+        self.pattern, self.flags = text, flags
+
+    def __getattr__(self, name: str) -> object:
+        found = self.__dict__[name] = getattr(re.compile(self.pattern, self.flags), name)
+        return found
+
+
+def pattern(text: str, flags: int = 0) -> re.Pattern[str]:
+    """A regular expression that is compiled when it is first used: a small file needs few of them."""
+    return cast("re.Pattern[str]", _Pattern(text, flags))
+
+
+_LINE_END = pattern(r"\r\n?|\n")
 
 
 class Position(NamedTuple):

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+
+from sdfcheck.source.text import pattern
 
 _TAB = 4
 _JOINERS = "\u200c\u200d"  # invisible by design: inside emoji, and between Persian letters
 
 
-ESCAPE = re.compile(r"\x1b\[[0-9;]*m|\x1b\]8;(?:id=\d+)?;(?:https?://[!-~]*)?\x1b\\")
+ESCAPE = pattern(r"\x1b\[[0-9;]*m|\x1b\]8;(?:id=\d+)?;(?:https?://[!-~]*)?\x1b\\")
 """Colors, and the starts and ends of links."""
-_ESCAPE = re.compile(f"({ESCAPE.pattern})")
-_COMMAND = re.compile(r"##(?=[a-z]*\[)")
+_ESCAPE = pattern(f"({ESCAPE.pattern})")
+_COMMAND = pattern(r"##(?=[a-z]*\[)")
 """What CI systems take for a command anywhere in a line, such as ``##vso[``."""
 _COMMAND_MARK = "::"
 """What GitHub takes for a command at the start of a line, spaces before it or not."""

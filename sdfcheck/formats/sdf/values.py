@@ -17,6 +17,7 @@ from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malfor
 from sdfcheck.formats.schema import RowInVersion
 from sdfcheck.formats.table import Range
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 # Numbers as the C++ library takes them from the front of a text.
 
@@ -24,14 +25,14 @@ BLANKS = " \t\n\r\v\f"
 
 _DIGITS = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
 _HEX = r"0x(?:[0-9a-f]+(?:\.[0-9a-f]*)?|\.[0-9a-f]+)(?:p[+-]?[0-9]+)?"
-_STRTOD = re.compile(
+_STRTOD = pattern(
     rf"(?P<hex>[+-]?{_HEX})|(?P<digits>[+-]?{_DIGITS}(?:e[+-]?[0-9]+)?)|[+-]?(?:inf(?:inity)?|nan)",
     re.IGNORECASE,
 )
-_STREAM = re.compile(rf"(?P<digits>[+-]?{_DIGITS}(?:[eE][+-]?[0-9]*)?)")
-_INTEGER = re.compile(r"[+-]?[0-9]+")
-_WHOLE_HEX = re.compile(r"0[xX][0-9a-fA-F]+")
-_NOT_ZERO = re.compile(r"[+-]?[0.]*[1-9]")
+_STREAM = pattern(rf"(?P<digits>[+-]?{_DIGITS}(?:[eE][+-]?[0-9]*)?)")
+_INTEGER = pattern(r"[+-]?[0-9]+")
+_WHOLE_HEX = pattern(r"0[xX][0-9a-fA-F]+")
+_NOT_ZERO = pattern(r"[+-]?[0.]*[1-9]")
 _LONGEST = 40
 
 
@@ -124,7 +125,7 @@ def _from_hex(text: str) -> float:
 
 SHARE = Range(0.0, 1.0)
 
-_WORD = re.compile(rf"[^{BLANKS}]+")
+_WORD = pattern(rf"[^{BLANKS}]+")
 _REST = {",": Cause.COMMA, "x": Cause.HEXADECIMAL, "X": Cause.HEXADECIMAL}
 _WHOLE_REST = {**_REST, ".": Cause.FRACTION, "e": Cause.EXPONENT, "E": Cause.EXPONENT}
 

@@ -79,6 +79,11 @@ class _Conditions:
             return self._define(module, node, f"{module.prefix}__{name}")
         raise module.refusal(use, f"a condition uses `{name}`: not a constant, plain function or import")
 
+    def pattern(self) -> str:
+        """The name of what makes a regular expression that is compiled at its first use."""
+        self._imports.add("from sdfcheck.source.text import pattern")
+        return "pattern"
+
     def text(self) -> str:
         table = "".join(f"    {code!r}: {name},\n" for code, name in sorted(self._names.items()))
         imports = "".join(f"{line}\n" for line in sorted(self._imports))
@@ -138,6 +143,12 @@ class _Copier(ast.NodeTransformer):
         elif not hasattr(builtins, node.id):
             raise self._module.refusal(node, f"a condition uses `{node.id}`: not defined in its module")
         return node
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        if ast.unparse(node.func) == "re.compile" and "re" in self._module.defined:
+            arguments = [self.visit(argument) for argument in node.args]
+            return ast.Call(ast.Name(self._conditions.pattern(), ast.Load()), arguments, [])
+        return self.generic_visit(node)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
         if ast.get_docstring(node) is not None:

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 # The names that the format itself gives, and the kinds of part that have a frame.
 
@@ -83,7 +84,7 @@ _SPELLED = sorted(
     {form(word) for word in (*_WORDS, *_ALONG) for form in (str.lower, str.upper, str.capitalize)},
     key=lambda word: (-len(word), word),
 )
-_SIDE = re.compile(rf"(?<![A-Za-z])({'|'.join(_SPELLED)})(?![a-z])")
+_SIDE = pattern(rf"(?<![A-Za-z])({'|'.join(_SPELLED)})(?![a-z])")
 
 
 @lru_cache(maxsize=1000)

@@ -16,6 +16,7 @@ from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.robot.parts.joint import UNCONVERTED
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Element, Value
+from sdfcheck.source.text import pattern
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -150,7 +151,7 @@ def _attribute(element: Element, name: str) -> Iterator[Value]:
 
 
 # Among names, one a line: what may be reserved, has spaces at its ends, or a colon in it.
-_ODD_LINE = re.compile(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
+_ODD_LINE = pattern(r"^__|^world$|^\s|[ \t\r]$|:", re.MULTILINE)
 _ODD_MARKS = ("__", "world", ":", " ", "\t", "\r", "\n\n")
 """Where none of these occurs in ASCII names, they need no closer look."""
 

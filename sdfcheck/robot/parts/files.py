@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from sdfcheck.files.library import library_of
 from sdfcheck.robot.graph import MergedFrame, Model, Part, Scope
 from sdfcheck.robot.values import is_true, lazy
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
     from sdfcheck.robot.root import Root
-    from sdfcheck.source.document import Element, Value
+    from sdfcheck.source.document import Document, Element, Value
 
 
 # Files that a description names by URIs, and where those lead.
@@ -169,10 +170,13 @@ class Resource(FileUse):
         location = self.location
         if location is None or location.scheme != "package" or location.owner is not None:
             return None
-        from sdfcheck.files.packages import package_around
-
-        own = package_around(self.document.path)
-        return own[1] if own is not None and os.path.isfile(os.path.join(own[0], location.inside)) else None
+        library, own = library_of(self.document), self.document.view(_own_package)
+        has_it = (
+            own is not None
+            and library is not None
+            and library.disk.has(os.path.join(own[0], location.inside))
+        )
+        return own[1] if own is not None and has_it else None
 
     @property
     def _is_among_textures(self) -> bool:
@@ -181,6 +185,13 @@ class Resource(FileUse):
             return False
         folder = self.document.path.parent
         return any(os.path.exists(folder / place / self.uri) for place in _TEXTURE_FOLDERS)
+
+
+def _own_package(document: Document) -> tuple[str, str] | None:
+    """The folder and the name of the package that a document is in."""
+    from sdfcheck.files.packages import package_around
+
+    return package_around(document.path)
 
 
 def resources_of(root: Root) -> tuple[Resource, ...]:

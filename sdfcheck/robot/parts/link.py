@@ -231,7 +231,7 @@ class Inertial(Part):
         """The link."""
         return cast("Link", self.holder)
 
-    @property
+    @lazy
     def mass(self) -> Number:
         """kg."""
         if not self.is_urdf:
@@ -246,12 +246,12 @@ class Inertial(Part):
             return float(self.mass) != 0
         return self._mass_value is not None and self._mass_value.number != 0
 
-    @property
+    @lazy
     def _mass_value(self) -> Value | None:
         mass = self.find("mass")
         return mass.attribute("value") if mass is not None else None
 
-    @property
+    @lazy
     def inertia(self) -> Element | None:
         """The element ``inertia``."""
         return self.find("inertia")

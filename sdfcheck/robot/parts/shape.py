@@ -159,7 +159,7 @@ class Geometry(Part):
         """Of a mesh."""
         return self._measures("scale")
 
-    @property
+    @lazy
     def uri_value(self) -> Value | None:
         """The file of a mesh, heightmap or image, with its place."""
         shape = self.shape_element
