@@ -149,7 +149,7 @@ def _checked(
                 raise Unfit(path, "changed while it was opened")
             if within is not None and not within.hold(path, real):
                 raise Outside(path, OUTSIDE)
-            if is_below(real, _KERNEL) and not is_below(real, _MEMORY):
+            if is_made_up(real):
                 raise Unfit(path, "a file of the kernel, not of a disk")
         elif not stat.S_ISFIFO(status.st_mode):
             _refuse_odd(path, status)
@@ -226,6 +226,11 @@ def _note(status: os.stat_result) -> None:
 def is_below(path: str, folders: Iterable[str]) -> bool:
     """Whether a path is one of the folders, or below one; all of them absolute."""
     return any(path == folder or path.startswith(os.path.join(folder, "")) for folder in folders)
+
+
+def is_made_up(real: str) -> bool:
+    """Whether a path without links leads to what the kernel makes up."""
+    return is_below(real, _KERNEL) and not is_below(real, _MEMORY)
 
 
 def oddity(path: Path) -> str:

@@ -75,7 +75,10 @@ def frame(
         look = look._replace(code=max(min(_LONGEST, width - gutter - len(" | ") - 2), _LEAST), is_narrow=True)
     by_line: dict[int, list[Mark]] = {}
     for mark in sorted(marks, key=lambda mark: (mark.span.start, mark.span.end)):
-        by_line.setdefault(mark.span.begin.line, []).append(mark)
+        if not mark.span.source.is_foreign:
+            by_line.setdefault(mark.span.begin.line, []).append(mark)
+    if not by_line:
+        return
     edge = paint(f"{'':{gutter}} |", Ink.GUTTER)
     yield edge
     previous = 0

@@ -6,6 +6,7 @@ import os
 import re
 from bisect import bisect_right
 from collections.abc import Mapping
+from functools import partial
 from itertools import accumulate
 from pathlib import Path
 from typing import cast
@@ -43,20 +44,22 @@ class Source:
     """The decoded text of one file, and the arithmetic of places in it.
 
     ``text`` holds the file's characters unchanged (line ends included, byte order
-    mark excluded), so that offsets into it can be used for edits.
+    mark excluded), so that offsets into it can be used for edits. Reports do not show the
+    lines of a file that ``is_foreign``: no description, and perhaps not meant to be seen.
     """
 
-    __slots__ = ("_contains", "_line_starts", "_real_path", "path", "text")
+    __slots__ = ("_contains", "_line_starts", "_real_path", "is_foreign", "path", "text")
 
-    def __init__(self, path: Path, text: str) -> None:
+    def __init__(self, path: Path, text: str, *, is_foreign: bool = False) -> None:
         self.path = path
         self.text = text
+        self.is_foreign = is_foreign
         self._line_starts: list[int] | None = None
         self._real_path = ""
         self._contains: dict[str, bool] = {}
 
     def __reduce__(self) -> tuple[object, ...]:
-        return Source, (self.path, self.text)
+        return partial(Source, is_foreign=self.is_foreign), (self.path, self.text)
 
     def __repr__(self) -> str:
         return f"Source({str(self.path)!r}, {len(self.text)} characters)"

@@ -142,7 +142,7 @@ def _shortened(steps: tuple[Step, ...], most: int = 12) -> tuple[Step, ...]:
 
 
 def _property(case: _Case) -> Problem:
-    name: str = case.report["name"]
+    name = str(case.report["name"])
     return UndefinedProperty(case.span(name), name, None, case.origins)
 
 
@@ -153,11 +153,11 @@ def _macro(case: _Case) -> Problem:
         span = case.value_span()
     elif ":" in span.text:
         span = case.source.span(span.start + span.text.index(":") + 1, span.end)
-    return UndefinedMacro(span, case.report["name"], None, case.origins)
+    return UndefinedMacro(span, str(case.report["name"]), None, case.origins)
 
 
 def _package(case: _Case) -> Problem:
-    name: str = case.report["name"]
+    name = str(case.report["name"])
     return UnknownPackage(case.span(name), name, None, case.origins)
 
 
@@ -172,7 +172,7 @@ def _syntax(case: _Case) -> Problem:
     source = case.provenance.files[file]
     start = source.offset(line, column)
     fault = source.span(start, start + 1)
-    detail: str = case.report["message"]
+    detail = str(case.report["message"])
     if not case.report.get("place"):  # the file itself: no include was under way
         return ExpansionFailure(fault, Failure.TEXT, detail, cause=fault)
     defects = (
@@ -183,7 +183,7 @@ def _syntax(case: _Case) -> Problem:
 
 
 def _recursion(case: _Case) -> Problem:
-    name: str = case.report["name"]
+    name = str(case.report["name"])
     if case.report["what"] == "include":
         return XacroIncludeCycle(case.value_span(), name, (), case.origins)
     return ExpansionFailure(case.name, Failure.RECURSION, name, "", case.origins)
@@ -192,13 +192,13 @@ def _recursion(case: _Case) -> Problem:
 def _arguments(case: _Case) -> Problem:
     report = case.report
     kind = _MISMATCHES[report["what"]]
-    names = tuple(report["names"])
+    names = tuple(map(str, report["names"]))
     span = case.attribute(names[0]) if kind is Mismatch.UNKNOWN else case.name
     definition = None
     if report.get("definition"):
         definition = case.provenance.name_at(*report["definition"])
-    parameters = tuple(report["parameters"])
-    return WrongMacroArguments(span, report["macro"], kind, names, parameters, definition, case.origins)
+    parameters = tuple(map(str, report["parameters"]))
+    return WrongMacroArguments(span, str(report["macro"]), kind, names, parameters, definition, case.origins)
 
 
 _TAKE: Mapping[str, Callable[[_Case], Problem]] = {

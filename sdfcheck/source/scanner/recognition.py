@@ -17,6 +17,7 @@ def unrecognized(source: Source, kind: Kind, name: str | None, place: Span | Non
     if name is None or place is None:
         if kind in {Kind.OTHER_XML, Kind.BROKEN_XML}:
             looks_like = "XML without any element"
+        source.is_foreign = kind is Kind.NOT_XML
         line = first_line(Token(TokenKind.TEXT, 0, len(text)), text)
         return UnrecognizedDocument(source.span(*line), looks_like, None, None)
     if kind not in {Kind.OTHER_XML, Kind.MISSPELT_ROOT}:

@@ -89,10 +89,22 @@ def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     deadline = time.monotonic() + request["limits"]["wall"]
     while True:
         answer = _forked(request, packages, readable, deadline)
-        path = json.loads(answer)["closed"] if answer.startswith(b'{"closed"') else ""
+        path = _closed(answer)
         if not path or path in readable.linked or not readable(path):
             return answer
         readable.linked.append(path)
+
+
+def _closed(answer: bytes) -> str:
+    """The file that the fork may read and could not open; empty for any other answer, which code in a file may have written."""
+    if not answer.startswith(b'{"closed"'):
+        return ""
+    try:
+        path = json.loads(answer)["closed"]
+        os.fsencode(path)
+    except (ValueError, TypeError, RecursionError):
+        return ""
+    return "" if "\0" in path else str(path)
 
 
 def _forked(request: Request, packages: Packages, readable: sandbox.Readable, deadline: float) -> bytes:

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, TextIO
 
+from sdfcheck.files.regular import is_made_up
 from sdfcheck.xacro.process.interpreter import Refused, TooMuch
 
 LANDLOCK = "Landlock"
@@ -51,7 +52,6 @@ _ALLOWED = {
     "faccessat": (269, 48),
     "faccessat2": (439, 439),
     "fadvise64": (221, 223),
-    "fcntl": (72, 25),
     "fstat": (5, 80),
     "fstatfs": (138, 44),
     "futex": (202, 98),
@@ -105,9 +105,9 @@ _ALLOWED = {
 """The calls of the kernel that reading and computing need, with their numbers on x86_64 and aarch64."""
 _OPENING = {"open": (2, None, 1), "openat": (257, 56, 2)}
 """Allowed without a flag that writes; the last number is the place of the flags."""
-_IOCTL = (16, 29)
-_QUESTIONS = (0x5401, 0x5450, 0x5451)
-"""Of ``ioctl``: is it a terminal, and whether programs that are started get a file."""
+_ASKING = {"fcntl": (72, 25, (0, 1, 2, 3, 1030)), "ioctl": (16, 29, (0x5401, 0x5450, 0x5451))}
+"""Allowed for what asks about an open file, copies its number, or keeps it from programs that are started: as its
+second argument says. Other questions have the kernel send signals, to any process of the user, or lock files."""
 
 _ARCHITECTURES = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
 
@@ -196,9 +196,11 @@ def _program(column: int, architecture: int) -> list[tuple[int, int, int, int]]:
                 (_RETURN, 0, 0, _ALLOW),
                 (_RETURN, 0, 0, _REFUSE),
             ]
-    rows += [(_EQUAL, 0, 2 * len(_QUESTIONS) + 1, _IOCTL[column]), (_LOAD, 0, 0, _ARGUMENTS + 8)]
-    for question in _QUESTIONS:
-        rows += [(_EQUAL, 0, 1, question), (_RETURN, 0, 0, _ALLOW)]
+    for *each, questions in _ASKING.values():
+        rows += [(_EQUAL, 0, 2 * len(questions) + 2, each[column]), (_LOAD, 0, 0, _ARGUMENTS + 8)]
+        for question in questions:
+            rows += [(_EQUAL, 0, 1, question), (_RETURN, 0, 0, _ALLOW)]
+        rows.append((_RETURN, 0, 0, _REFUSE))
     return [*rows, (_RETURN, 0, 0, _REFUSE)]
 
 
@@ -292,7 +294,11 @@ class Readable:
     def __call__(self, path: str) -> bool:
         real = os.path.realpath(path)
         inside = _below(_plain(real), self.roots) or _below(_plain(os.path.abspath(path)), self.links)
-        return inside and (os.path.isfile(real) or os.path.isdir(real) or not os.path.exists(real))
+        return (
+            inside
+            and not is_made_up(real)
+            and (os.path.isfile(real) or os.path.isdir(real) or not os.path.exists(real))
+        )
 
 
 def _plain(path: str) -> str:

@@ -48,25 +48,25 @@ class Worker:
         watch = Watch(process.pid, limits, lambda: _kill(process)) if is_needed() else None
         timer = Timer(limits.wall + _GRACE, _kill, [process])
         timer.start()
-        answer: Any = None
+        answer: dict[str, Any] | None = None
         try:
-            with watch or nullcontext():
+            with watch or nullcontext(), suppress(OSError):
                 answer = self._answer(process, request, limits)
-        except (OSError, ValueError):
-            answer = None
         finally:
             timer.cancel()
         if watch is not None and watch.reason:
             answer = {"failure": {"kind": "limit", "message": watch.reason}, "files": [], "steps": []}
-        broken = answer.get("broken") if isinstance(answer, dict) else _last_words(process)
+        broken = _last_words(process) if answer is None else answer.get("broken")
         if broken or not hasattr(os, "fork"):
             self.close()
-        if broken:
-            raise _broken(broken)
-        assert isinstance(answer, dict)
+        if answer is None or broken:
+            raise _broken(str(broken))
         return answer
 
-    def _answer(self, process: subprocess.Popen[bytes], request: dict[str, Any], limits: Limits) -> Any:
+    def _answer(
+        self, process: subprocess.Popen[bytes], request: dict[str, Any], limits: Limits
+    ) -> dict[str, Any] | None:
+        """The answer of the process; None if it ended. One of another form is empty: code in a file wrote it."""
         import json
 
         assert process.stdin
@@ -75,7 +75,13 @@ class Worker:
         process.stdin.write(len(raw).to_bytes(8, "big") + raw)
         process.stdin.flush()
         data = _receive(process.stdout, 8 * limits.output)
-        return None if data is None else json.loads(data)
+        if data is None:
+            return None
+        try:
+            answer = json.loads(data)
+        except (ValueError, RecursionError):
+            return {}
+        return answer if isinstance(answer, dict) else {}
 
     def close(self) -> None:
         if self._stop is not None:
@@ -143,7 +149,7 @@ def _last_words(process: subprocess.Popen[bytes]) -> str:
 
 def _broken(words: str) -> WrongUsage:
     """The error for a process that failed; its own words are a traceback, whose last line says what happened."""
-    last = " ".join(words.splitlines()[-1].split())
+    last = " ".join(words.strip().rpartition("\n")[2].split())
     words = f"\n{words}\n" if os.environ.get("SDFCHECK_DEBUG") else last
     return WrongUsage(
         f"xacro files cannot be expanded, the process for it failed: {words} "

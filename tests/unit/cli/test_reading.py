@@ -97,6 +97,12 @@ def test_a_text_that_is_no_description_is_not_shown(
     shown = everything(capsys)
     assert SECRET not in shown
     assert "`inside.txt` is neither SDFormat nor URDF" in shown
+    (project / "inside.sdf").write_text(SECRET)
+    for form in ("full", "html", "json", "sarif"):
+        assert main(["lint", "inside.sdf", "--output-format", form]) == 1
+        shown = everything(capsys)
+        assert "this looks like plain text" in shown
+        assert SECRET not in shown
     (project / "b.sdf").symlink_to("../secret.txt")
     assert main(["lint", "b.sdf"]) == 2
     assert SECRET not in everything(capsys)

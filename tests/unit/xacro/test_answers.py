@@ -15,6 +15,7 @@ from sdfcheck.cli.main import main
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion
+from sdfcheck.xacro.process import worker
 from sdfcheck.xacro.process.watch import Limits
 from sdfcheck.xacro.process.worker import Worker
 from tests.posix import make_pipe
@@ -138,6 +139,49 @@ def test_a_file_from_outside_is_neither_read_nor_shown(
     shown = capsys.readouterr()
     assert "not-for-the-authors" not in (shown.out + shown.err).replace("`not-for-the-authors-of-robots`", "")
     assert {file: file.read_bytes() for file in before} == before
+
+
+ANSWERING = (
+    "import sys; sys.path += sys.argv[1:]; import sdfcheck.xacro.process.child as child; "
+    "raw = open({!r}, 'rb').read(); child._answer = lambda *_: raw; child.main()"
+)
+RAW = {
+    "no JSON": b"garbage",
+    "no text": b"\xff\xfe{}",
+    "a list": b"[1]",
+    "nothing": b"null",
+    "deep lists": b"[" * 200_000,
+    "deep objects": b'{"files":' * 100_000,
+    "a long number": b'{"files": ' + b"9" * 10_000 + b"}",
+    "no file": b'{"files": []}',
+    "closed: a number": b'{"closed": 5}',
+    "closed: deep lists": b'{"closed": ' + b"[" * 200_000,
+    "closed: NUL": b'{"closed": "a\\u0000b"}',
+    "closed: half a character": b'{"closed": "\\ud800"}',
+    "closed: outside": b'{"closed": "/etc/hostname"}',
+    "closed: the kernel's": b'{"closed": "/proc/self/environ"}',
+    "names that are numbers": b'{"files": [], "steps": [], "failure": {"kind": "arguments", "macro": 5, '
+    b'"what": "Invalid", "names": [1], "parameters": [2], "attribute": 3, "expression": ""}}',
+}
+
+
+@pytest.mark.parametrize("raw", RAW.values(), ids=RAW)
+def test_bytes_that_are_no_answer_are_a_finding(
+    raw: bytes, robot: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    answer = robot.with_name("answer")
+    answer.write_bytes(raw)
+    monkeypatch.setattr(worker, "_START", ANSWERING.format(str(answer)))
+    done = expand(robot)
+    assert done.text is None
+    assert len(done.problems) == 1
+    for command in (
+        "lint --output-format html",
+        "lint --output-format json",
+        "expand",
+        "convert urdf-to-sdf",
+    ):
+        assert main([*command.split(), "--isolated", str(robot)]) == 1
 
 
 def changed(answer: Answer, chance: Random) -> Answer:
