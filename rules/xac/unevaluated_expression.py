@@ -32,6 +32,14 @@ class UnevaluatedExpression(Rule):
             says="`{side}` is not evaluated; did you mean `${side}`?",
         ),
         Bad(
+            '<xacro:property name="w" value="1"/><link name="a"/><link name="b"/><joint name="j" type="continuous">'
+            '<parent link="a"/><child link="b"/><dynamics damping="«{w}»"/></joint>',
+            fixed='<xacro:property name="w" value="1"/><link name="a"/><link name="b"/>'
+            '<joint name="j" type="continuous"><parent link="a"/><child link="b"/><dynamics damping="${w}"/></joint>',
+            unsafe=True,
+            file=FILE,
+        ),
+        Bad(
             '<xacro:property name="w" value="1"/><link name="a${w}"/><link name="«${w_b»"/>',
             file=FILE,
             says="has no end",

@@ -16,9 +16,11 @@ from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics import find_robots, semantics_in
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
+from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
 
 # Lints a xacro file: as it is written, and as what it expands to.
@@ -35,13 +37,20 @@ def lint_xacro(
     document.problems = [*document.problems, *prepared.problems]  # type: ignore[list-item]
     found = lint_document(document, dispatch)
     shown = (*prepared.documents, *prepared.partial)
-    found += _lint_pieces(document, unexpanded(document, shown), dispatch)
+    built = _lint_pieces(document, unexpanded(document, shown), dispatch)
     for expanded in prepared.documents:
-        found += settle(lint_document(expanded, dispatch), expanded, document)
+        built += settle(lint_document(expanded, dispatch), expanded, document)
     for expanded in prepared.partial:
         if expanded.root is not None:
-            found += settle(_lint_known(expanded, dispatch), expanded, document)
+            built += settle(_lint_known(expanded, dispatch), expanded, document)
+    # What is wrong with an expression that is left as it is follows from that.
+    left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
+    found += [each for each in built if not any(_overlap(each.span, span) for span in left)]
     return without_repeats(fold(found))
+
+
+def _overlap(one: Span, other: Span) -> bool:
+    return one.source.path == other.source.path and one.start < other.end and other.start < one.end
 
 
 def _lint_known(expanded: ExpandedDocument, dispatch: Dispatch) -> Iterator[Diagnostic]:
