@@ -1,4 +1,5 @@
 import math
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -21,6 +22,8 @@ _STEP = 0.5
 """Degrees that people write by hand are multiples of it."""
 _NOT_ROTATED = (" 0 0 0", " 0.0 0.0 0.0")
 """How most poses end: a world holds thousands, and hardly one rotation to look at."""
+_LARGE = re.compile(r"(?<![\d.])0*(?:[6-9]|[1-9]\d)|[eE]")
+"""A number of 6 or more."""
 
 
 class DegreesAsRadians(Rule):
@@ -79,8 +82,8 @@ class DegreesAsRadians(Rule):
 
     @staticmethod
     def applies(element: Element) -> bool:
-        text = element.text
-        if text and text.endswith(_NOT_ROTATED):
+        text = element.content if element.name == "pose" else element.text_of("rpy", "")
+        if text.endswith(_NOT_ROTATED) or _LARGE.search(text) is None:
             return False
         return any(_is_whole_degrees(word) for _, _, word in _angles(element))
 

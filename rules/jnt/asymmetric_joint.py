@@ -74,7 +74,7 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
     found = [
         (joint, mirror)
         for joint, mirror in pairs
-        if mirror.moves and joint.span.start > mirror.span.start and displacement(joint, mirror) > 0
+        if mirror.moves and joint.element.index > mirror.element.index and displacement(joint, mirror) > 0
     ]
     return found if len(found) <= MOST else []
 

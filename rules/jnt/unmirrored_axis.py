@@ -94,7 +94,7 @@ def unmirrored(model: Model) -> list[tuple[Joint, Joint]]:
     found, agreeing = [], 0
     for joint in model.joints:
         mirror = joint.mirror if joint.type == "revolute" else None
-        if mirror is None or mirror.type != "revolute" or joint.span.start < mirror.span.start:
+        if mirror is None or mirror.type != "revolute" or joint.element.index < mirror.element.index:
             continue
         ways = side(joint, mirror)
         if not ways:

@@ -55,7 +55,8 @@ class SingularPitch(Rule):
 
 def error(origin: Placement) -> float:
     """How far the pitch is from 90°, in radians, if urdfdom takes it for that; else 0."""
-    if len(origin.rotation) != 3 or not math.isfinite(origin.rotation[1]):
+    rotation = origin.rotation
+    if len(rotation) != 3 or not math.isfinite(rotation[1]):
         return 0.0
-    sine = abs(math.sin(origin.rotation[1]))
+    sine = abs(math.sin(rotation[1]))
     return math.pi / 2 - math.asin(min(sine, 1.0)) if sine >= POLE else 0.0

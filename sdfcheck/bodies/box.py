@@ -37,6 +37,11 @@ class Box(NamedTuple):
         """Its eight corners."""
         return product(*zip(self.low, self.high, strict=True))
 
+    def moved_by(self, offset: Point) -> Box:
+        """The same elsewhere."""
+        (x, y, z), (a, b, c), (d, e, f) = offset, self.low, self.high
+        return Box((a + x, b + y, c + z), (d + x, e + y, f + z))
+
     def scaled(self, factors: Point) -> Box:
         """The same with each coordinate multiplied; a negative factor mirrors."""
         ends = [

@@ -72,7 +72,7 @@ def locate(document: Document, uri: str) -> Location:
 
     Each URI in the documents of a folder is looked up once.
     """
-    surroundings = _surroundings(document)
+    surroundings = document.view(_surroundings)
     found = surroundings.located.get(uri)
     if found is None:
         found = surroundings.located[uri] = _locate(document, uri.strip(), surroundings)

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.bodies.box import Box, around, of_points
-from sdfcheck.robot.motion.origin import Origin, numbers_of, origin_in, pose_in
+from sdfcheck.robot.motion.origin import UNTURNED, Origin, numbers_of, origin_in, pose_in
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.errors import DescriptionError
 
@@ -40,6 +40,8 @@ def of_shape(shape: Shape) -> Box | None:
         placed = placement_of(shape, shape.link)
     except DescriptionError:
         return None
+    if placed.rotation is UNTURNED:
+        return own.moved_by(placed.position)
     return of_points(placed.applied_to((x, y, z)) for x, y, z in own.corners())
 
 

@@ -143,6 +143,8 @@ def _in_sdf(joint: Joint) -> Origin | None:
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Rows:
     """The rows of the rotation of roll, pitch, yaw (rad)."""
+    if not (roll or pitch or yaw):
+        return UNTURNED
     cr, sr = math.cos(roll), math.sin(roll)
     cp, sp = math.cos(pitch), math.sin(pitch)
     cy, sy = math.cos(yaw), math.sin(yaw)
