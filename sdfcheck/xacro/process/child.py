@@ -96,7 +96,7 @@ def _serve(request: Request, known: dict[str, Packages]) -> bytes:
 
 
 def _closed(answer: bytes) -> str:
-    """The file that the fork may read and could not open; empty for any other answer, which code in a file may have written."""
+    """The file that the fork may read and could not open; empty for any other answer: code in a file may write it."""
     if not answer.startswith(b'{"closed"'):
         return ""
     try:
