@@ -197,10 +197,12 @@ def _program(column: int, architecture: int) -> list[tuple[int, int, int, int]]:
                 (_RETURN, 0, 0, _REFUSE),
             ]
     for *each, questions in _ASKING.values():
-        rows += [(_EQUAL, 0, 2 * len(questions) + 2, each[column]), (_LOAD, 0, 0, _ARGUMENTS + 8)]
-        for question in questions:
-            rows += [(_EQUAL, 0, 1, question), (_RETURN, 0, 0, _ALLOW)]
-        rows.append((_RETURN, 0, 0, _REFUSE))
+        number = each[column]
+        if number is not None:
+            rows += [(_EQUAL, 0, 2 * len(questions) + 2, number), (_LOAD, 0, 0, _ARGUMENTS + 8)]
+            for question in questions:
+                rows += [(_EQUAL, 0, 1, question), (_RETURN, 0, 0, _ALLOW)]
+            rows.append((_RETURN, 0, 0, _REFUSE))
     return [*rows, (_RETURN, 0, 0, _REFUSE)]
 
 
