@@ -43,7 +43,7 @@ def lint_xacro(
     for expanded in prepared.partial:
         if expanded.root is not None:
             built += settle(_lint_known(expanded, dispatch), expanded, document)
-    # What is wrong with an expression that is left as it is follows from that.
+    # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
     found += [each for each in built if not any(_overlap(each.span, span) for span in left)]
     return without_repeats(fold(found))
