@@ -120,6 +120,21 @@ def test_names_say_what_things_are() -> None:
     assert not vague_classes
 
 
+ASKED_OF_A_PATH = re.compile(r"(?<!\bentry)\.(?:is_dir|is_file|exists)\(\)")
+
+
+def test_the_disk_is_asked_by_functions_that_raise_nothing() -> None:
+    """Those of ``Path`` raise for names that are too long and folders that are closed, before Python 3.14."""
+    asked = [
+        f"{name(path)}:{number}"
+        for path in modules()
+        if path.is_relative_to(ROOT / "sdfcheck") or path.is_relative_to(ROOT / "rules")
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), 1)
+        if ASKED_OF_A_PATH.search(line)
+    ]
+    assert asked == []
+
+
 def test_no_function_rebinds_a_module_name() -> None:
     rebinding = [
         f"{name(path)}:{node.lineno}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -28,7 +29,7 @@ _SHOWN = ("select", "extend-select", "ignore", "fail-on", "exclude", "model-path
 def init(folder: Path, target: tuple[str, ...] | None) -> None:
     """Write a commented sdfcheck.toml into FOLDER (default: the current one)."""
     for name in _NAMES:
-        if (folder / name).exists():
+        if os.path.exists(folder / name):
             raise WrongUsage(f"{folder / name} exists already")
     file = folder / NAME
     try:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -231,11 +232,13 @@ def _show_settings(paths: Sequence[Path], options: Options) -> int:
     from sdfcheck.lint.config import show as config_show
 
     first = paths[0] if paths else options.stdin_path
-    if not (first.exists() or options.stdin is not None):
+    if not (os.path.exists(first) or options.stdin is not None):
         raise WrongUsage(f"no such file or folder: {first}")
     configuration = options.configuration
     settings = (
-        configuration.settings_in(first.resolve()) if first.is_dir() else configuration.settings_for(first)
+        configuration.settings_in(first.resolve())
+        if os.path.isdir(first)
+        else configuration.settings_for(first)
     )
     emit(config_show.render(settings))
     return 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 from textwrap import wrap
@@ -92,7 +93,7 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
     from sdfcheck.lint.rulebook.trial import Bench
 
     try:
-        bench = Bench(Path(pack) if Path(pack).is_dir() else pack)
+        bench = Bench(Path(pack) if os.path.isdir(pack) else pack)
     except PackError as error:
         raise WrongUsage(str(error)) from None
     codes = {facts.code for facts in narrowed(bench.facts, selectors)}

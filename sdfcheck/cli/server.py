@@ -46,7 +46,16 @@ def server_command(tcp: bool, host: str, port: int, stdio: bool) -> int:
 
 
 def _pipes() -> tuple[BinaryIO, BinaryIO]:
-    """The way to the client and back, which nothing else may write to: what is printed goes to stderr."""
-    incoming, outgoing = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
+    """The way to the client and back, which nothing else may write to: what is printed goes to stderr.
+
+    Raises:
+        WrongUsage: there is no such way.
+    """
+    try:
+        incoming, outgoing = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+        os.dup2(2, 1)
+    except OSError:
+        raise WrongUsage(
+            "the language server needs stdin, stdout and stderr, and one of them is closed"
+        ) from None
     return incoming, outgoing

@@ -89,7 +89,7 @@ def copy(done: Conversion, copies: tuple[tuple[Path, Path], ...]) -> int:
         except OSError as error:
             raise WrongUsage(f"{source} cannot be read: {error.strerror or error}") from None
         try:
-            if target.exists():
+            if os.path.exists(target):
                 if identity(source) != identity(target) and read_regular(target) != data:
                     raise WrongUsage(f"{target} is there already, and is not {source}")
                 continue
@@ -138,7 +138,9 @@ def _found(done: Conversion, uri: str) -> Path | None:
     path = locate(done.document, uri).path
     if path is None and uri.startswith(_MODEL):
         path = locate(done.document, f"package://{uri.removeprefix(_MODEL)}").path
-    return path if path is not None and path.is_file() and library_of(done.document) is not None else None
+    return (
+        path if path is not None and os.path.isfile(path) and library_of(done.document) is not None else None
+    )
 
 
 def _written(at: Path, folder: Path, style: UriStyle, *, is_copied: bool) -> str:
@@ -162,7 +164,7 @@ def _model_around(at: Path, folder: Path | None) -> Path | None:
     """The folder of the model that a file is in; ``folder`` is one that will be."""
     around = at.absolute().parents
     future = None if folder is None else folder.absolute()
-    return next((each for each in around if each == future or (each / MODEL_CONFIG).is_file()), None)
+    return next((each for each in around if each == future or os.path.isfile(each / MODEL_CONFIG)), None)
 
 
 class _Copies:
@@ -198,7 +200,7 @@ class _Copies:
             waiting += [
                 (file.parent / name, target.parent / name)
                 for name in _names_in(self._document, file)
-                if (file.parent / name).is_file()
+                if os.path.isfile(file.parent / name)
             ]
         return tuple(found.items())
 

@@ -242,7 +242,7 @@ class Subject:
         """Pairs of links whose collisions an SRDF file of the project turns off."""
         library = library_of(self.document)
         found: set[frozenset[str]] = set()
-        if library is None or not self.document.path.exists():
+        if library is None or not os.path.exists(self.document.path):
             return found
         for path in library.packages(self.document.path).files(".srdf", _SEMANTICS):
             semantics = library.document(path)

@@ -44,7 +44,7 @@ def only_affected(
 
 
 def _root(path: Path, reference: str) -> Path:
-    root = work_tree(path if path.is_dir() else path.parent)
+    root = work_tree(path if os.path.isdir(path) else path.parent)
     if root is None:
         raise WrongUsage(f"--changed-since {reference}: {path} is in no git repository")
     return root

@@ -180,7 +180,7 @@ def _is_foreign(folder: Path) -> bool:
     name = folder.name
     if name.startswith(".") or name in _FOREIGN_FOLDERS:
         return True
-    return name in _BUILD_FOLDERS and any((folder / mark).exists() for mark in _BUILD_MARKS)
+    return name in _BUILD_FOLDERS and any(os.path.exists(folder / mark) for mark in _BUILD_MARKS)
 
 
 def _descend(top: Path, ignores: Ignores | None, left: _Left) -> Iterator[Path]:

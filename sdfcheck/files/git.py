@@ -35,7 +35,7 @@ TIMEOUT = 5.0
 def work_tree(folder: Path) -> Path | None:
     """The root of the repository that holds ``folder``; recognized by its ``.git``, without running git."""
     absolute = Path(os.path.abspath(folder))
-    return next((place for place in (absolute, *absolute.parents) if (place / ".git").exists()), None)
+    return next((place for place in (absolute, *absolute.parents) if os.path.exists(place / ".git")), None)
 
 
 class Listed(NamedTuple):

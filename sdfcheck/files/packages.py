@@ -154,17 +154,17 @@ class Packages:
         ``<package>/urdf/arm.xacro`` is ``<package>/description/urdf/arm.xacro`` if
         CMakeLists.txt installs it so. A path that leads nowhere is returned as it is.
         """
-        if path.exists():
+        if os.path.exists(path):
             return path
         for folder in path.parents:
             lists = folder / "CMakeLists.txt"
-            if not lists.is_file():
+            if not os.path.isfile(lists):
                 continue
             rest = path.relative_to(folder).as_posix()
             for installed, source in self._layout(folder, lists):
                 if rest == installed or rest.startswith(f"{installed}/") or not installed:
                     found = folder / source / rest[len(installed) :].lstrip("/")
-                    if found.exists():
+                    if os.path.exists(found):
                         return found
             break
         return path
@@ -189,7 +189,7 @@ class Packages:
             if name in (below := self._package_files(folder)):
                 yield below[name]
         for prefix in self._prefixes():
-            if (share := prefix / "share" / name).is_dir():
+            if os.path.isdir(share := prefix / "share" / name):
                 yield share
         for folder in (*self.paths, self.root):
             same = [place for place in self._folders_below(folder) if place.name == name]
@@ -234,7 +234,7 @@ class Packages:
             self._own_prefixes = [
                 folder
                 for folder in (own, *below)
-                if (folder / "share").is_dir() and os.path.realpath(folder).startswith(real)
+                if os.path.isdir(folder / "share") and os.path.realpath(folder).startswith(real)
             ]
         return [*self._of_environment("AMENT_PREFIX_PATH"), *self._own_prefixes]
 
@@ -272,7 +272,7 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
 
 
 def _package_name(path: Path) -> str:
-    match = _NAME.search(_COMMENT.sub("", _read(path))) if path.is_file() else None
+    match = _NAME.search(_COMMENT.sub("", _read(path))) if os.path.isfile(path) else None
     return match[1] if match else ""
 
 

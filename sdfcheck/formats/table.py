@@ -7,6 +7,7 @@ separated by tabs. A life is the versions 1.x that have it (``6-``: since 1.6), 
 
 from __future__ import annotations
 
+import os
 from functools import cache
 from math import inf
 from pathlib import Path
@@ -114,7 +115,7 @@ class Table:
         if self._notes is None:
             self._notes = {}
             file = DATA / f"{self._stem}-notes.txt"
-            for line in file.read_text("utf-8").splitlines() if file.exists() else ():
+            for line in file.read_text("utf-8").splitlines() if os.path.exists(file) else ():
                 first, *fields = line.split("\t")
                 self._notes.setdefault(first, []).append(tuple(fields))
         return self._notes.get(kind, [])

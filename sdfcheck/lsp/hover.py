@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -79,7 +80,7 @@ def _size(path: Path) -> str:
         size = path.stat().st_size
     except OSError:
         return ""
-    return "" if path.is_dir() else f" ({size / 1024:.1f} kB)"
+    return "" if os.path.isdir(path) else f" ({size / 1024:.1f} kB)"
 
 
 def names_around(element: Element) -> list[str]:

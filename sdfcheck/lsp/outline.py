@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator
@@ -179,7 +180,7 @@ def target_of(document: Document, value: Value) -> Path | None:
     place = locate(document, text)
     if place.path is None or place.is_remote:
         return None
-    if place.path.is_dir():
+    if os.path.isdir(place.path):
         if (
             value.element.name != "uri"
             or value.element.parent is None

@@ -50,7 +50,7 @@ class Sweep:
     def _paths(self) -> Iterator[Path]:
         workspace, seen = self.workspace, set(self.workspace.buffers)
         for folder in workspace.folders:
-            if not folder.is_dir():
+            if not os.path.isdir(folder):
                 continue
             files = discover([folder], exclude=lambda each: workspace.settings_for(each).excludes(each)).files
             for file in files:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from itertools import chain
@@ -501,7 +502,7 @@ def declared(path: Path, packages: Packages) -> list[Declared]:
     """The robot that the settings of MoveIt's assistant name in the package of a file."""
     settings = _package(path) / ".setup_assistant"
     try:
-        text = read_regular(settings).decode("utf-8", "replace") if settings.is_file() else ""
+        text = read_regular(settings).decode("utf-8", "replace") if os.path.isfile(settings) else ""
     except OSError:
         return []
     found = _DECLARED.search(text)
@@ -555,7 +556,7 @@ def _stem(path: Path) -> str:
 def _package(path: Path) -> Path:
     """The folder of the package that a file is in, else its own."""
     folders = path.absolute().parents
-    return next((folder for folder in folders if (folder / "package.xml").is_file()), folders[0])
+    return next((folder for folder in folders if os.path.isfile(folder / "package.xml")), folders[0])
 
 
 def _score(semantics: Semantics, robot: Model) -> float:

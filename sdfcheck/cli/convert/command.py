@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -503,5 +504,5 @@ def _write_config(done: Conversion, target: Path) -> None:
     from sdfcheck.robot.root import root_of
 
     config, root = target.parent / MODEL_CONFIG, root_of(done.document)
-    if not root.is_urdf and root.models and not config.exists():
+    if not root.is_urdf and root.models and not os.path.exists(config):
         write_atomically(config, config_of(root.models[0].name, target.name, root.version or ""))

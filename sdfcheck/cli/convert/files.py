@@ -55,7 +55,7 @@ def sources(request: Request) -> list[Source]:
         raise WrongUsage("no file is named")
     if request.stdin_filename is not None and _STDIN not in paths:
         raise WrongUsage("--stdin-filename needs - among the inputs")
-    folders = [path for path in paths if path.is_dir()]
+    folders = [path for path in paths if os.path.isdir(path)]
     configuration = request.around.configuration
     found = discover(folders, exclude=lambda path: configuration.settings_for(path).excludes(path))
     if folders and not found.files and len(folders) == len(paths):
@@ -108,7 +108,7 @@ def _folder(request: Request) -> Path | None:
     if request.copy_meshes and request.output_file is None and request.output_dir is None:
         raise WrongUsage("--copy-meshes needs a place: -o FILE or --output-dir FOLDER")
     folder = request.output_dir
-    if request.output_file is not None and request.output_file.is_dir():
+    if request.output_file is not None and os.path.isdir(request.output_file):
         folder = request.output_file
     if request.flat and folder is None:
         raise WrongUsage("--flat goes with --output-dir")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -199,7 +200,7 @@ def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[
 
 def _documents(run: Run, around: Around) -> Iterator[tuple[Path, Document]]:
     for file in run.files:
-        if not file.is_file():
+        if not os.path.isfile(file):
             continue  # read from stdin
         try:
             yield file, load(file, around, check=False)

@@ -307,7 +307,7 @@ def taken(given: dict[str, Any]) -> Settings:
     for name in ("packages", "package_paths", "model_paths"):
         for path in own[name]:
             folder = path[1] if name == "packages" else path
-            if not folder.is_dir():
+            if not os.path.isdir(folder):
                 reason = "not a folder" if os.path.lexists(folder) else "no such folder"
                 raise WrongUsage(f"{GIVEN[name].option.partition(' ')[0]}: {reason}: {folder}")
     return UNSET._replace(**{name: value for name, value in own.items() if value is not None})
@@ -333,7 +333,7 @@ def require_file(file: Path) -> None:
 
     Raises: WrongUsage: the file does not exist, or is a folder, a pipe or a device.
     """
-    if not file.is_file():
+    if not os.path.isfile(file):
         from sdfcheck.files.regular import oddity
 
         raise WrongUsage(f"{file}: {oddity(file)}" if os.path.lexists(file) else f"no such file: {file}")

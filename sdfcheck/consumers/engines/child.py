@@ -133,7 +133,7 @@ def _limit(seconds: float, memory: int) -> None:
 
 
 def _lines(output: Path) -> list[str]:
-    if not output.is_file():
+    if not os.path.isfile(output):
         return []
     with output.open(errors="replace") as stream:
         text = stream.read(LINES * WIDTH)

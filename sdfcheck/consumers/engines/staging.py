@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
@@ -89,6 +90,6 @@ def _texts_in(folder: Path) -> Iterator[str]:
 
 def _is_text_of(path: Path, text: str) -> bool:
     try:
-        return path.is_file() and path.read_text("utf-8", "surrogateescape") == text
+        return os.path.isfile(path) and path.read_text("utf-8", "surrogateescape") == text
     except OSError:
         return False

@@ -45,7 +45,7 @@ def relocated(name: str, text: str, found: Included, document: Document) -> str 
     if name not in _FILES and not name.endswith("_map"):
         return None
     folder = found.document.path.parent
-    if not text or scheme_of(text) or Path(text).is_absolute() or not (folder / text).exists():
+    if not text or scheme_of(text) or Path(text).is_absolute() or not os.path.exists(folder / text):
         return None
     return _seen_from(document, found, folder / text)
 
@@ -55,7 +55,7 @@ def _seen_from(document: Document, found: Included, file: Path) -> str:
     uri = found.uri.text.strip()
     place = locate(document, uri).path
     if scheme_of(uri) in {"model", "package"} and place is not None:
-        if place.is_dir():
+        if os.path.isdir(place):
             return f"{uri.rstrip('/')}/{Path(relative_path(file, place)).as_posix()}"
         if file.is_relative_to(place.parent):
             return f"{uri.rpartition('/')[0]}/{file.relative_to(place.parent).as_posix()}"

@@ -165,7 +165,7 @@ def _plugins_or_strings(file: ConfigFile, field: Field, value: object) -> tuple[
     strings = _strings(file, field, value)
     if field.key != "plugins":
         return strings
-    return tuple(str(file.root / name) if (file.root / name).is_dir() else name for name in strings)
+    return tuple(str(file.root / name) if os.path.isdir(file.root / name) else name for name in strings)
 
 
 def _flag(file: ConfigFile, field: Field, value: object) -> bool:

@@ -99,7 +99,7 @@ def _reach(path: Path, settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]
 def _is_trusted(folder: Path) -> bool:
     """Whether a person's own configuration names a folder, or one above it."""
     own = own_configuration()
-    if own is None or not own.is_file():
+    if own is None or not os.path.isfile(own):
         return False
     real = os.path.realpath(folder)
     return is_below(real, map(os.path.realpath, _trusted_folders(own)))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import ast
 import builtins
 import copy
+import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -225,7 +226,7 @@ def render(pack: Pack) -> str:
 
 def is_current(path: Path, text: str) -> bool:
     """Does a file say the same? Versions of Python lay out the same code differently."""
-    written = path.read_text(encoding="utf-8") if path.is_file() else ""
+    written = path.read_text(encoding="utf-8") if os.path.isfile(path) else ""
     try:
         return written.startswith(_HEAD) and ast.dump(ast.parse(written)) == ast.dump(ast.parse(text))
     except SyntaxError:

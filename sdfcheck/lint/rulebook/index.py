@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -50,7 +51,7 @@ def keep(
 
 
 def is_current(path: Path, text: str) -> bool:
-    return path.is_file() and path.read_text(encoding="utf-8") == text
+    return os.path.isfile(path) and path.read_text(encoding="utf-8") == text
 
 
 def main(arguments: list[str]) -> int:

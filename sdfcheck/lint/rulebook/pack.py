@@ -12,6 +12,7 @@ use the prefix are checked.
 from __future__ import annotations
 
 import importlib
+import os
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -76,7 +77,7 @@ def has_index(pack: Pack, *others: str) -> bool:
     """Does a pack have an index, and the ``others`` of the modules that are written with it?"""
     if not pack.is_importable or pack.file is not None:
         return False
-    return all((pack.folder / f"{name}.py").is_file() for name in (INDEX, *others))
+    return all(os.path.isfile(pack.folder / f"{name}.py") for name in (INDEX, *others))
 
 
 def rule_classes(module: ModuleType) -> list[type[Rule]]:

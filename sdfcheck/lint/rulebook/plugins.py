@@ -61,7 +61,7 @@ def find_pack(name: str | Path) -> Pack:
 
 
 def _in_folder(folder: Path) -> Pack:
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise PackError("no such folder", str(folder))
     real = folder.resolve()
     # Two folders of one name are two packs.
@@ -698,7 +698,7 @@ def _open(pack: Pack) -> None:
     if pack.package in sys.modules:
         return
     start = pack.folder / "__init__.py"
-    if not start.is_file():
+    if not os.path.isfile(start):
         package = ModuleType(pack.package)
         package.__path__ = [str(pack.folder)]
         sys.modules[pack.package] = package

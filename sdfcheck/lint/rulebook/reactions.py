@@ -9,6 +9,7 @@ their findings say, and what differs is printed. The rows of consumers that are 
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -196,7 +197,7 @@ def again(rules: Sequence[type[Rule]], before: Table, consumers: Iterable[Consum
 
 def main(names: Sequence[str]) -> int:
     rules, faults = load_rules(find_pack(BUILT_IN))
-    before = Table(FILE.read_text("utf-8") if FILE.is_file() else "")
+    before = Table(FILE.read_text("utf-8") if os.path.isfile(FILE) else "")
     if faults:
         return 1
     after = again(

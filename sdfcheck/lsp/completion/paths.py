@@ -80,7 +80,7 @@ def _folder(document: Document, head: str) -> Path | None:
         return None if found is None else found / inside
     if scheme == "model":
         return next(
-            (place / name / inside for place in _model_folders(document) if (place / name).is_dir()), None
+            (place / name / inside for place in _model_folders(document) if os.path.isdir(place / name)), None
         )
     return None
 
@@ -104,7 +104,7 @@ def _models(document: Document) -> list[str]:
         except OSError:
             continue
         found.update(
-            dict.fromkeys(name for name in names[:_MOST] if (folder / name / "model.config").is_file())
+            dict.fromkeys(name for name in names[:_MOST] if os.path.isfile(folder / name / "model.config"))
         )
     return sorted(found)
 

@@ -186,7 +186,7 @@ class Geometry(Part):
         from sdfcheck.files.uris import locate
 
         path, library = locate(self.document, self.uri).path, library_of(self.document)
-        if path is None or library is None or not path.is_file():
+        if path is None or library is None or not os.path.isfile(path):
             return None
         return mesh_at(path, lambda file, limit: library.read(file, self.document, limit))
 

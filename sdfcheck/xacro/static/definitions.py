@@ -492,7 +492,7 @@ class Definitions:
         if _GLOB.search(str(path)):
             return sorted(path.parent.glob(path.name)) if not _GLOB.search(str(path.parent)) else []
         path = library.packages(document.path).locate(path)
-        return [path] if path.is_file() else []
+        return [path] if os.path.isfile(path) else []
 
     def target(self, element: Element) -> Path | None:
         """The one file that an ``xacro:include`` names; None if that cannot be known."""

@@ -246,7 +246,7 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     if not why.startswith("no such file") or "$" in name:
         return None
     path = problem.span.source.path.parent / name
-    if document.library is not None and path.parent.is_dir():
+    if document.library is not None and os.path.isdir(path.parent):
         for each in path.parent.iterdir():
             if each.name.casefold() == path.name.casefold():
                 return Reason(f"did you mean `{each.name}`?")
@@ -256,7 +256,7 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
 def _of_default(path: Path, written: str, document: Document) -> Reason | None:
     """The argument of a file whose default names what is missing: with another value the path may be there."""
     read = reading(document)
-    missing = next((each.name for each in (*reversed(path.parents), path) if not each.exists()), "")
+    missing = next((each.name for each in (*reversed(path.parents), path) if not os.path.exists(each)), "")
     for name, default in read.arguments.items():
         if default == missing if default else f"$(arg {name})" in written:
             place = read.argument_elements[name].attribute("default")

@@ -63,3 +63,75 @@ def test_numpy_does_not_warn(tmp_path: Path) -> None:
     file = tmp_path / "m.sdf"
     file.write_text(HUGE)
     assert "Warning" not in run("print", "--isolated", file).stderr
+
+
+LONG = "x" * 300
+"""Longer than the name of a file may be."""
+WITH_LONG_NAMES = {
+    "a.sdf": "<sdf version='1.11'><model name='m'><link name='l'><collision name='c'><geometry><mesh>"
+    "<uri>LONG.stl</uri></mesh></geometry></collision></link><include><uri>LONG</uri></include><include><uri>model://LONG</uri></include>"
+    "<include><uri>file:///LONG</uri></include></model></sdf>",
+    "a.urdf": "<robot name='r'><link name='l'><visual><geometry><mesh filename='package://LONG/LONG.stl'/></geometry>"
+    "</visual><visual><geometry><mesh filename='LONG.stl'/></geometry></visual></link><gazebo><plugin name='p' "
+    "filename='libgz_ros2_control-system.so'><parameters>$(find LONG)/LONG.yaml</parameters></plugin></gazebo></robot>",
+    "find.urdf.xacro": "<robot name='r' X><xacro:include filename='$(find LONG)/LONG.xacro'/></robot>",
+    "include.urdf.xacro": "<robot name='r' X><xacro:include filename='LONG/LONG.xacro'/></robot>",
+    "argument.urdf.xacro": "<robot name='r' X><xacro:arg name='f' default='LONG'/>"
+    "<xacro:include filename='$(arg f).xacro'/></robot>",
+    "yaml.urdf.xacro": "<robot name='r' X><link name='${xacro.load_yaml(&quot;LONG&quot;)}'/></robot>",
+    "model.config": "<model><name>m</name><sdf version='1.9'>LONG.sdf</sdf></model>",
+}
+
+
+@pytest.mark.parametrize("name", WITH_LONG_NAMES)
+def test_names_that_no_file_can_have(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / ".git").mkdir()
+    text = WITH_LONG_NAMES[name].replace("LONG", LONG)
+    (tmp_path / name).write_text(text.replace(" X>", ' xmlns:xacro="http://www.ros.org/wiki/xacro">'))
+    for command in (
+        *(
+            "lint",
+            "lint --no-expand",
+            "targets",
+            "expand",
+            "print --expand-includes",
+            "inertia",
+            "graph frames",
+        ),
+        *("view", "convert urdf-to-sdf", "convert sdf-to-urdf", "convert sdf-to-sdf --sdf-version 1.7"),
+    ):
+        assert main([*command.split(), "--isolated", str(tmp_path / name)]) in {0, 1, 2}
+        assert "internal error" not in "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize("place", [LONG, f"{LONG}/{LONG}"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(
+            "lint --config",
+            "lint --baseline",
+            "lint --package-path",
+            "lint --model-path",
+            "lint --package p=",
+        ),
+        *("lint -o", "lint --output-format json=", "lint --stdin-filename", "lint", "lint --show-settings"),
+        *("print", "print -o", "print --model-path", "view -o", "targets -o", "diff -o", "graph frames -o"),
+        *("convert sdf-to-urdf", "convert sdf-to-urdf -o", "convert sdf-to-urdf --output-dir"),
+        *("convert sdf-to-urdf --report", "expand", "expand -o", "inertia", "rules --test", "schema --for"),
+    ],
+)
+def test_options_with_names_that_no_file_can_have(
+    words: str,
+    place: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("a.sdf").write_text('<sdf version="1.9"><model name="m"><link name="l"/></model></sdf>')
+    joined = f"{words}{place}" if words.endswith("=") else f"{words} {place}"
+    assert main([*joined.split(), *["a.sdf"] * (2 if "diff" in words else 1)]) == 2
+    error = capsys.readouterr().err
+    assert "error" in error.lower()
+    assert "internal error" not in error
