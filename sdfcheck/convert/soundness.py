@@ -113,6 +113,11 @@ def judges(result: Document) -> tuple[Consumer, ...]:
     return tuple(consumer for consumer in readers if consumer in OWN_CONSUMER.values())
 
 
+def has_refusals(result: Document, found: Iterable[Diagnostic]) -> bool:
+    """Does a consumer of a result refuse it, or drop a part of it?"""
+    return bool(refused(found, judges(result), lambda reaction: reaction.is_refusal or reaction.is_loss))
+
+
 def new_refusals(
     source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
 ) -> tuple[list[Diagnostic], tuple[Consumer, Diagnostic] | None]:

@@ -13,7 +13,7 @@ from sdfcheck.cli.parts.descriptions import Around, chosen_arguments, expander_f
 from sdfcheck.cli.parts.output import refuse_to_write
 from sdfcheck.cli.parts.terminal import read_stdin
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.convert.soundness import means_another_robot, new_errors, new_refusals
+from sdfcheck.convert.soundness import has_refusals, means_another_robot, new_errors, new_refusals
 from sdfcheck.files.discover import discover
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import identity, read_named
@@ -280,6 +280,8 @@ class Reader:
             return Judgement(found)
         others = self._others(settings, given.file)
         after = [*after, *lint_document(result, others)]
+        if not has_refusals(result, after):
+            return Judgement()
         before = [*given.found, *lint_document(source, others)]
         return Judgement(*new_refusals(source, before, result, after))
 
