@@ -72,15 +72,34 @@ if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
     from sdfcheck.release import __version__
     from sdfcheck.robot.graph import (
-        Custom,
-        Frame,
+        Actor,
+        Axis,
+        Collision,
+        Contact,
+        ControlComponent,
+        ControlInterface,
+        ControlTransmission,
+        Dynamics,
+        GazeboBlock,
+        Gripper,
+        Include,
+        Inertial,
+        Joint,
+        Light,
+        Limit,
+        Link,
+        Mimic,
         Model,
-        Node,
-        NotFound,
-        Part,
-        Placement,
+        Physics,
+        Plugin,
+        Ros2Control,
         Scope,
-        Setting,
+        Sensor,
+        Shape,
+        State,
+        Transmission,
+        Tree,
+        Visual,
         World,
     )
     from sdfcheck.robot.includes.included import Obstacle
@@ -88,27 +107,14 @@ if TYPE_CHECKING:
     from sdfcheck.robot.includes.uri_spelling import UriFault
     from sdfcheck.robot.load import Unreadable, load, parse
     from sdfcheck.robot.motion.mass import MassProperties
-    from sdfcheck.robot.motion.poses import Pose, PoseError
-    from sdfcheck.robot.motion.tree import Tree
-    from sdfcheck.robot.naming.frames import FrameReference
+    from sdfcheck.robot.motion.origin import PoseError
+    from sdfcheck.robot.motion.poses import Pose
     from sdfcheck.robot.naming.name import Name
-    from sdfcheck.robot.parts.control import (
-        ControlComponent,
-        ControlInterface,
-        ControlTransmission,
-        Ros2Control,
-        Transmission,
-    )
-    from sdfcheck.robot.parts.files import Include, Pieces, Resource
-    from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.joint import Axis, Dynamics, Joint, Limit, Mimic
-    from sdfcheck.robot.parts.link import Inertial, Link
-    from sdfcheck.robot.parts.physics import Actor, Gripper, Physics, State
-    from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.sensor import Contact, Light, Sensor
-    from sdfcheck.robot.parts.shape import Collision, Geometry, Material, Shape, Surface, Visual
-    from sdfcheck.robot.root import Root
+    from sdfcheck.robot.part import Custom, Frame, Node, NotFound, Part, Placement, Setting
+    from sdfcheck.robot.resources import Pieces, Resource
+    from sdfcheck.robot.root import FrameReference, Root
     from sdfcheck.robot.semantics import Semantics
+    from sdfcheck.robot.shapes import Geometry, Material, Surface
     from sdfcheck.robot.values import Flag, Number, Text, Vector
     from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
     from sdfcheck.source.document import Document, Element, Value
@@ -118,54 +124,49 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "sdfcheck.api": "as_json diff fix inertia print targets",
+    "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
+    "sdfcheck.consumers.reaction": "REFUSES UNFOUND Consumer Reaction Verdict accepts drops ignores refuses warns",
+    "sdfcheck.consumers.urdf_readers": (
+        "Ignored ignored_by_drake is_harmless lacking repeating undersized unexpanded unreadable"
+    ),
     "sdfcheck.convert.file_difference": "FileDifference",
     "sdfcheck.convert.loss": "Loss NotConvertible",
     "sdfcheck.convert.result": "Conversion",
     "sdfcheck.formats.namespaces": "Prefix PrefixDeclaration PrefixedName",
     "sdfcheck.formats.near_names": "suggest suggest_in",
     "sdfcheck.lint.diagnostic": "Diagnostic Label listed Missing MissingKind named Origin Severity used",
+    "sdfcheck.lint.editing": "Edit EditError edit",
     "sdfcheck.lint.example": (
         "IN_COLLISION IN_JOINT IN_LINK IN_MODEL IN_ROBOT IN_URDF_JOINT IN_URDF_LINK IN_VISUAL IN_WORLD "
         "SDF Bad Good"
     ),
     "sdfcheck.lint.fix": "Applicability Fix TextEdit",
-    "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
-    "sdfcheck.consumers.urdf_readers": (
-        "Ignored ignored_by_drake is_harmless lacking repeating undersized unexpanded unreadable"
-    ),
-    "sdfcheck.consumers.reaction": "REFUSES UNFOUND Consumer Reaction Verdict accepts drops ignores refuses warns",
     "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
-    "sdfcheck.lint.run": "Run",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
-    "sdfcheck.robot.load": "Unreadable load parse",
+    "sdfcheck.lint.run": "Run",
     "sdfcheck.release": "__version__",
-    "sdfcheck.robot.graph": "Custom Frame NotFound Model Node Part Placement Setting Scope World",
-    "sdfcheck.lint.editing": "Edit EditError edit",
-    "sdfcheck.source.errors": "DescriptionError WrongUsage",
+    "sdfcheck.robot.graph": (
+        "Model Scope World Tree Transmission ControlTransmission Ros2Control ControlComponent "
+        "ControlInterface Axis Dynamics Limit Mimic Joint GazeboBlock Include Inertial Link Light "
+        "Contact Sensor Collision Shape Visual Actor Gripper Physics State Plugin"
+    ),
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
-    "sdfcheck.robot.motion.mass": "MassProperties",
-    "sdfcheck.robot.motion.poses": "Pose PoseError",
-    "sdfcheck.robot.motion.tree": "Tree",
-    "sdfcheck.robot.naming.name": "Name",
-    "sdfcheck.robot.parts.control": (
-        "Transmission ControlTransmission Ros2Control ControlComponent ControlInterface"
-    ),
-    "sdfcheck.robot.parts.joint": "Axis Dynamics Limit Mimic Joint",
-    "sdfcheck.robot.parts.gazebo": "GazeboBlock",
-    "sdfcheck.robot.parts.files": "Include Pieces Resource",
-    "sdfcheck.robot.parts.link": "Inertial Link",
-    "sdfcheck.robot.parts.sensor": "Light Contact Sensor",
-    "sdfcheck.robot.parts.shape": "Material Collision Geometry Shape Surface Visual",
-    "sdfcheck.robot.parts.physics": "Actor Gripper Physics State",
-    "sdfcheck.robot.parts.plugin": "Plugin",
-    "sdfcheck.robot.naming.frames": "FrameReference",
-    "sdfcheck.robot.root": "Root",
-    "sdfcheck.robot.semantics": "Semantics",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
+    "sdfcheck.robot.load": "Unreadable load parse",
+    "sdfcheck.robot.motion.mass": "MassProperties",
+    "sdfcheck.robot.motion.origin": "PoseError",
+    "sdfcheck.robot.motion.poses": "Pose",
+    "sdfcheck.robot.naming.name": "Name",
+    "sdfcheck.robot.part": "Custom Frame NotFound Node Part Placement Setting",
+    "sdfcheck.robot.resources": "Pieces Resource",
+    "sdfcheck.robot.root": "FrameReference Root",
+    "sdfcheck.robot.semantics": "Semantics",
+    "sdfcheck.robot.shapes": "Material Geometry Surface",
     "sdfcheck.robot.values": "Flag Number Text Vector",
     "sdfcheck.robot.vendor.tags": "VendorTag VendorValue",
     "sdfcheck.source.document": "Document Element Value",
+    "sdfcheck.source.errors": "DescriptionError WrongUsage",
     "sdfcheck.source.text": "Position Source Span",
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names.split()}

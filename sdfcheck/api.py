@@ -119,7 +119,7 @@ def inertia(what: Description) -> MassReport:
     """
     from sdfcheck.robot.motion.mass_report import mass_report
 
-    return mass_report(root_of(_document(what)))
+    return mass_report(root_of(_document(what)).scopes)
 
 
 def print(  # noqa: A001 - the command's name

@@ -152,7 +152,7 @@ def test_which_links_merge_is_decided_once(
     command = ("sdfcheck", "convert", "urdf-to-sdf", "--isolated", "r.urdf", *way)
     assert copy.python(*command).count("<link ") == before
     copy.change(
-        "sdfcheck/robot/parts/joint.py",
+        "sdfcheck/robot/graph.py",
         '("preserveFixedJoint", ',
         '("keepFixedJoint", "preserveFixedJoint", ',
     )

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Model, Plugin, Rule, Severity, Value
+from sdfcheck_rules.gaz.unknown_sensor_frame import robot_of
 
 DRIVE = (
     '<link name="wheel"/><joint name="j" type="continuous"><parent link="base"/><child link="wheel"/></joint><gazebo>'
@@ -77,7 +78,7 @@ def carried(plugin: Plugin) -> tuple[Value, Model, Link | None] | None:
     given = (plugin.get(switch) or "").strip().lower() if switch else ""
     if given in {"false", "0"} or (not given and not default):
         return None
-    robot, name = plugin.root.models[0], value.text.strip()
+    robot, name = robot_of(plugin), value.text.strip()
     links = robot.tree.links
     if name in links:
         return (value, robot, links[name]) if links[name].parent_joints else None

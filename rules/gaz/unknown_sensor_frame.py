@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, Diagnostic, Element, Good, Rule, Sensor, Severity, Value, replace
+from sdfcheck import (
+    Bad,
+    ControlComponent,
+    Diagnostic,
+    Element,
+    Good,
+    Model,
+    Part,
+    Rule,
+    Sensor,
+    Severity,
+    Value,
+    replace,
+)
 
 FRAMES = ("gz_frame_id", "ignition_frame_id", "frame_id")
 """Elements of a sensor that say in which frame its messages are."""
@@ -81,9 +94,14 @@ class UnknownSensorFrame(Rule):
                 message += " begins with `/`, which no frame of tf2 does"
                 yield self.diagnostic(value, message, fix=fix)
                 continue
-            robot = part.root.models[0]
+            robot = robot_of(part)
             message += f" is not a link of {robot.title}"
             yield self.diagnostic(value, message, meant=part.nearest(name, robot.tree.links))
+
+
+def robot_of(part: Part) -> Model:
+    """The robot of the URDF file that a part is in."""
+    return next(model for model in part.root.each(Model) if model.is_urdf)
 
 
 def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
@@ -92,7 +110,7 @@ def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
         name = element.content.strip()
         if not name or "$" in name or "{" in name:
             continue
-        links = part.root.models[0].tree.links
+        links = robot_of(part).tree.links
         is_known = (
             name in FIXED or name.rpartition("/")[2] in links or any(name.endswith(link) for link in links)
         )

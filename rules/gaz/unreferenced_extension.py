@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, GazeboBlock, Good, Root, Rule, Severity
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, GazeboBlock, Good, Rule, Severity
 
 OTHERS = ("visual", "collision", "material", "robot")
 """Other parts whose name may be taken for a reference."""
@@ -49,7 +49,7 @@ class UnreferencedExtension(Rule):
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         name, model = block.reference, block.model
         message = f"there is no link or joint `{name}`"
-        kind = next((kind for kind in OTHERS if _has(block.root, kind, name)), None)
+        kind = next((kind for kind in OTHERS if _has(block, kind, name)), None)
         known = {*model.tree.links, *model.joints_by_name}
         meant, place = None, block.reference_value or block
         if kind is not None:
@@ -59,6 +59,6 @@ class UnreferencedExtension(Rule):
         yield self.diagnostic(place, message, meant=meant)
 
 
-def _has(root: Root, kind: str, name: str) -> bool:
-    """Is there an element of that kind and name?"""
-    return any(element.text_of("name") == name for element in root.elements.get(kind, ()))
+def _has(block: GazeboBlock, kind: str, name: str) -> bool:
+    """Is there an element of that kind and name in the file?"""
+    return any(element.text_of("name") == name for element in block.root.elements.get(kind, ()))

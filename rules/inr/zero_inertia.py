@@ -81,11 +81,10 @@ class ZeroInertia(Rule):
         link = inertial.link
         if link.parent_joints:
             return bool(link.shapes) and link.parent_joints[0].moves
-        if link.child_joints or link in inertial.root.parent_joints:
-            return False
         # In a part or a macro the other end of a joint is where nobody can see it.
-        return not any(
-            link.name in {joint.parent_name, joint.child_name} for joint in inertial.root.each(Joint)
+        return not link.child_joints and not any(
+            joint.child_link is link or link.name in {joint.parent_name, joint.child_name}
+            for joint in inertial.root.each(Joint)
         )
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:

@@ -58,7 +58,7 @@ def foreign(plugin: Plugin) -> Iterator[tuple[Value, str]]:
     """The parameters with a topic of a world that the file does not have, and the name of that world."""
     if plugin.within(World) is None:
         return
-    worlds = {world.name for world in plugin.root.worlds}
+    worlds = {world.name for world in plugin.root.each(World)}
     for parameter in plugin.parameters:
         match = TOPIC.fullmatch(parameter.content) if not parameter.nodes else None
         if match is not None and match[1] not in worlds:

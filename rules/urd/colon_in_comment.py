@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Root, Rule, Severity, Span, TextEdit, make_fix
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Part, Root, Rule, Severity, Span, TextEdit, make_fix
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
 DIRECTIVE = "sdfcheck:"
@@ -77,7 +77,7 @@ def _message(found: list[Span], whose: str) -> str:
     return f"{what} launch files that read the description as YAML"
 
 
-def is_description(root: Root) -> bool:
+def is_description(root: Part) -> bool:
     """Is it a whole robot, not a part of others, for ROS?"""
     text, children = root.document.source.text, {child.name for child in root.children()}
     has_joints = "joint" in children or any(name.startswith("xacro:") for name in children)

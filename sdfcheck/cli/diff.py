@@ -76,7 +76,7 @@ def diff(**given: Any) -> int:
 
 def _compare(request: Request, around: Around) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
-    from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.robot.motion.origin import PoseError
 
     for file in (request.a, request.b):
         require_file(file)

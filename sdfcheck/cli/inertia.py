@@ -89,11 +89,11 @@ def measure(document: Document) -> MassReport:
         WrongUsage: its numbers cannot be read.
     """
     from sdfcheck.robot.motion.mass_report import mass_report
-    from sdfcheck.robot.motion.poses import PoseError
+    from sdfcheck.robot.motion.origin import PoseError
     from sdfcheck.robot.root import root_of
 
     try:
-        return mass_report(root_of(document))
+        return mass_report(root_of(document).scopes)
     except DescriptionError as error:
         line, column = error.element.span.begin
         raise WrongUsage(f"{document.path}:{line}:{column}: {error}") from None

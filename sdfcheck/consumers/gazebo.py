@@ -18,19 +18,13 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
-from sdfcheck.robot.parts.solids import Moments
+from sdfcheck.robot.solids import Moments
 from sdfcheck.robot.values import MOMENTS, lazy
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Model
-    from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.sensor import Sensor
-    from sdfcheck.robot.parts.shape import Shape
+    from sdfcheck.robot.graph import GazeboBlock, Joint, Link, Model, Plugin, Sensor, Shape
     from sdfcheck.source.document import Element
 
 WORLD = "world"

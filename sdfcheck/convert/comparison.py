@@ -26,6 +26,7 @@ from sdfcheck.convert.settings_tree import (
     same_text,
     seen_from_links,
 )
+from sdfcheck.robot.graph import ENDLESS
 from sdfcheck.robot.motion.kinematics import (
     Bodies,
     Positions,
@@ -36,8 +37,7 @@ from sdfcheck.robot.motion.kinematics import (
 )
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
-from sdfcheck.robot.motion.rotations import Array, angles_between, inverse, to_rpy
-from sdfcheck.robot.parts.joint import ENDLESS
+from sdfcheck.robot.motion.poses import Array, angles_between, inverse, to_rpy
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple, Record
 

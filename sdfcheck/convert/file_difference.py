@@ -15,8 +15,7 @@ from sdfcheck.convert.settings_tree import Contents, divergences, of_model, of_u
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.robot.motion.poses import written_pose
-from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.motion.poses import Array, inverse, written_pose
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind

@@ -15,7 +15,7 @@ import numpy as np
 
 from sdfcheck.robot.motion.mass import MassProperties, default_mass
 from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
-from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.motion.poses import Array, inverse
 from sdfcheck.source.sniff import Kind
 
 # Things with numbers, such as poses and sizes, found by numbers that are nearly the same.

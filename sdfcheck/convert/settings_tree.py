@@ -21,13 +21,11 @@ from sdfcheck.formats.vendor.definitions import Slot, Tag, value_at
 from sdfcheck.formats.vendor.table import tag_of, vendors
 from sdfcheck.formats.vendor.values import as_read
 from sdfcheck.formats.version import NEWEST
-from sdfcheck.robot.graph import MergedFrame, Model, World
-from sdfcheck.robot.motion.poses import PoseError
-from sdfcheck.robot.motion.rotations import Array, to_rpy
-from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.robot.parts.joint import PRESERVING, Joint
-from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.parts.shape import Material, Shape, Visual
+from sdfcheck.robot.graph import PRESERVING, Joint, Link, Model, Shape, Visual, World, text_of_setting
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, to_rpy
+from sdfcheck.robot.part import MergedFrame
+from sdfcheck.robot.shapes import Material
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple

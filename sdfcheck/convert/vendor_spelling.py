@@ -11,7 +11,7 @@ from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
 from sdfcheck.formats.vendor.values import as_read
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array
 from sdfcheck.source.altered import Xml, declared_prefixes
 from sdfcheck.source.document import Comment, Document, Element
 from sdfcheck.source.sniff import Kind

@@ -11,16 +11,18 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.targets import errors
-from sdfcheck.robot.graph import Model, Part, Scope
+from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.load import Unreadable, as_text, opened, parse
 from sdfcheck.robot.naming.occurrences import name_refusal, node_names, taken_by
+from sdfcheck.robot.part import Part
 from sdfcheck.source.splice import replaced, splice
 from sdfcheck.source.text import IN_QUOTES, escape
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    from sdfcheck.robot.graph import Node, World
+    from sdfcheck.robot.graph import World
+    from sdfcheck.robot.part import Node
     from sdfcheck.robot.root import Root
     from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span

@@ -19,7 +19,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Part
+    from sdfcheck.robot.part import Part
     from sdfcheck.xacro.expansion import Expander
 
 INTERNAL_ERROR = RuleFacts(

@@ -7,11 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.engine import Dispatch, Xacro, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle, without_repeats
-from sdfcheck.robot.graph import Part
-from sdfcheck.robot.parts.files import Pieces
-from sdfcheck.robot.parts.gazebo import GazeboBlock
-from sdfcheck.robot.parts.joint import Joint
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.graph import GazeboBlock, Joint, Link
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.resources import Pieces
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.semantics import find_robots, semantics_in
 from sdfcheck.source.document import Document, Element, read

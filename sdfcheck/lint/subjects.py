@@ -12,7 +12,7 @@ from sdfcheck.source.document import Document, Element
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Part
+    from sdfcheck.robot.part import Part
 
 OF_TEXT: dict[str, tuple[Kind | None, str]] = {
     "ModelConfig": (Kind.MODEL_CONFIG, "sdfcheck.robot.includes.model_config:model_configs"),

@@ -15,10 +15,9 @@ from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Node
+    from sdfcheck.robot.graph import Joint, Link
     from sdfcheck.robot.motion.mass import MassProperties
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.part import Node
 
 
 def of_symbol(document: Document, named: Occurrence) -> Iterator[str]:
@@ -76,7 +75,7 @@ def _node(document: Document, named: Occurrence) -> Node | None:
 
 def _written(document: Document, symbol: Symbol) -> Node | None:
     """The node of an element that a document writes."""
-    from sdfcheck.robot.graph import Node
+    from sdfcheck.robot.part import Node
 
     element = element_of(document, symbol) if symbol.span.source is document.source else None
     part = None if element is None else root_of(document).part_of(element)

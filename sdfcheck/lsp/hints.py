@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.robot.parts.joint import Limit
+from sdfcheck.robot.graph import Limit
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.errors import DescriptionError

@@ -1,987 +1,2399 @@
-"""The graph of a description: parts, nodes that references name, and the models and worlds that know them."""
+"""The robot: models and worlds with their links, joints, sensors and all that knows of the others.
+
+They are in one module as each of them names the others: a link its model, a model its links. It reads from what is
+in a model to the model; :mod:`sdfcheck.robot.part` has what all of them are.
+"""
 
 from __future__ import annotations
 
 import math
-from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Sequence
-from functools import cache, lru_cache
-from importlib import import_module
-from itertools import islice
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol, TypeVar, cast, overload
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from itertools import takewhile
+from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
 from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.naming.name import MODEL_FRAME, NODES, WORLD_FRAME
-from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, parts, reference_of
+from sdfcheck.robot import solids
+from sdfcheck.robot.motion.origin import UNTURNED, Origin, numbers_of, origin_in, pose_in
+from sdfcheck.robot.naming.name import (
+    DEFAULT,
+    MODEL_FRAME,
+    NODES,
+    WORLD_FRAME,
+    UnknownName,
+    mirrored,
+    without_sides,
+)
+from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, pick
+from sdfcheck.robot.resources import FileUse
+from sdfcheck.robot.shapes import Geometry, Material, Surface, as_array
+from sdfcheck.robot.solids import FITTING, INSIDE, LIGHT, NEAR, SOUND, Moments, Solid, soundness
+from sdfcheck.robot.values import MOMENTS, Number, Vector, is_true, lazy, number, parts, reference_of
+from sdfcheck.source.document import Element, Value
+from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import is_expression
+from sdfcheck.source.text import is_expression, pattern
 
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-    from sdfcheck.formats.topology import Displaced
-    from sdfcheck.robot.includes.included import Included
+    from sdfcheck.bodies.box import Box
+    from sdfcheck.formats.plugins import Naming, PluginFacts
+    from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
-    from sdfcheck.robot.motion.origin import Origin
-    from sdfcheck.robot.motion.poses import Pose
-    from sdfcheck.robot.motion.rotations import Array
-    from sdfcheck.robot.motion.tree import Tree
-    from sdfcheck.robot.parts.control import ControlComponent, Ros2Control, Transmission
-    from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.parts.physics import Actor, Physics
-    from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.sensor import Light, Sensor
-    from sdfcheck.robot.parts.shape import Material
-    from sdfcheck.robot.root import Root
-    from sdfcheck.source.document import Document, Element, Value
-    from sdfcheck.source.text import Span
+    from sdfcheck.robot.motion.origin import Triple
+    from sdfcheck.robot.motion.poses import Array, Pose
 
 
-# Which class an element becomes, by its name and by what it is in.
+# Mass and inertia of links.
 
 
-_HOMES = {
-    "actor": "parts.physics:Actor",
-    "axis": "parts.joint:Axis",
-    "axis2": "parts.joint:Axis",
-    "collision": "parts.shape:Collision",
-    "contact": "parts.sensor:Contact",
-    "drake:frame": "graph:Frame",
-    "drake:joint": "parts.joint:Joint",
-    "dynamics": "parts.joint:Dynamics",
-    "frame": "graph:Frame",
-    "gazebo": "parts.gazebo:GazeboBlock",
-    "geometry": "parts.shape:Geometry",
-    "gripper": "parts.physics:Gripper",
-    "include": "parts.files:Include",
-    "inertial": "parts.link:Inertial",
-    "joint": "parts.joint:Joint",
-    "light": "parts.sensor:Light",
-    "limit": "parts.joint:Limit",
-    "link": "parts.link:Link",
-    "material": "parts.shape:Material",
-    "mimic": "parts.joint:Mimic",
-    "model": "graph:Model",
-    "origin": "graph:Placement",
-    "physics": "parts.physics:Physics",
-    "plugin": "parts.plugin:Plugin",
-    "pose": "graph:Placement",
-    "robot": "graph:Model",
-    "ros2_control": "parts.control:Ros2Control",
-    "sensor": "parts.sensor:Sensor",
-    "state": "parts.physics:State",
-    "surface": "parts.shape:Surface",
-    "transmission": "parts.control:Transmission",
-    "visual": "parts.shape:Visual",
-    "world": "graph:World",
-}
-"""Element → where the class of its part is; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
-
-_OF_CONTROL = {
-    "command_interface": "parts.control:ControlInterface",
-    "gpio": "parts.control:ControlComponent",
-    "joint": "parts.control:ControlComponent",
-    "sensor": "parts.control:ControlComponent",
-    "state_interface": "parts.control:ControlInterface",
-    "transmission": "parts.control:ControlTransmission",
-}
-"""Names that mean this in a ``ros2_control`` block only → where the class is."""
-
-_CONTROL = frozenset(("ros2_control", "component"))
-
-_ELSEWHERE = {
-    "contact": frozenset(("sensor", "audio_source")),
-    "link": frozenset(("model", "robot", "gazebo")),
-    "model": frozenset(("sdf", "world", "model", "gazebo")),
-    "inertial": frozenset(("link",)),
-    "joint": frozenset(("model", "world", "robot", "gazebo")),
-    "frame": frozenset(("model", "world", "gazebo")),
-    "gazebo": frozenset(("robot",)),
-    "material": frozenset(("visual", "robot", "collision")),
-    "physics": frozenset(("world",)),
-    "plugin": frozenset(
-        ("world", "model", "sensor", "visual", "gui", "actor", "light", "projector", "gazebo")
-    ),
-}
-"""Names that mean something else elsewhere → the elements in which they mean this."""
-
-_OF_JOINTS = {
-    "axis": frozenset(("joint",)),
-    "axis2": frozenset(("joint",)),
-    "limit": frozenset(("axis", "joint")),
-    "mimic": frozenset(("axis", "joint")),
-    "dynamics": frozenset(("axis", "joint")),
-}
-"""Names that mean this only in a joint, or in an axis of one → the kinds of part."""
-
-_SCOPES = frozenset(("gazebo", "link", "model", "world"))
-_SCOPED = frozenset(("frame", "inertial", "joint", "link", "model"))
-"""Names that mean this in such a part only, and not in a setting: the link of an actor, the model of a population."""
-
-CLASSES = {
-    name: home
-    for home in {
-        *_HOMES.values(),
-        *_OF_CONTROL.values(),
-        "graph:Custom",
-        "graph:Part",
-        "parts.gazebo:ExtendedModel",
-        "parts.files:Resource",
-        "graph:Setting",
-        "root:Root",
-    }
-    for name in (home.partition(":")[2],)
-}
-"""Class → where it is."""
-
-ELEMENTS: dict[str, tuple[str, ...]] = {}
-"""Class → the elements that become parts of it."""
-for _element, _home in _HOMES.items():
-    _class = _home.partition(":")[2]
-    ELEMENTS[_class] = (*ELEMENTS.get(_class, ()), _element)
+_BY_ROWS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
-def part_class(holder: Part, element: Element) -> type[Part]:
-    """The class of the part that an element in a holder makes."""
-    return _class_of(holder.element.name, holder.kind, element.name) or _class_in(
-        _place(holder), holder.kind, element.name
-    )
+_DEFAULT_MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
-@lru_cache(maxsize=1000)
-def _class_of(holder: str, kind: str, tag: str) -> type[Part] | None:
-    """The same for names without a colon; None for others."""
-    names = holder + tag
-    return _class_in(holder, kind, tag) if names.isascii() and "{" not in names and ":" not in names else None
+class Inertial(Part):
+    """The mass properties of a link as they are written.
 
-
-def _place(holder: Part) -> str:
-    """The name of the holder's element; a macro of xacro counts as the link or joint that it writes."""
-    place = holder.element.name
-    return holder.kind if place.startswith("xacro:") else place
-
-
-@lru_cache(maxsize=1000)
-def _class_in(holder: str, kind: str, name: str) -> type[Part]:
-    if kind in _CONTROL and name in _OF_CONTROL:
-        return class_named(_OF_CONTROL[name].partition(":")[2])
-    home = _HOMES.get(name)
-    if home is not None and (kind != "setting" or holder not in _SCOPES or name not in _SCOPED):
-        wanted = _OF_JOINTS.get(name)
-        at = holder if wanted is None else kind
-        wanted = wanted or _ELSEWHERE.get(name)
-        if wanted is None or at in wanted:
-            return class_named(home.partition(":")[2])
-    return class_named("Custom" if ":" in name else "Setting")
-
-
-@cache
-def class_named(name: str) -> type[Part]:
-    """A class of the model by its name."""
-    module, _, attribute = CLASSES[name].partition(":")
-    found: type[Part] = getattr(import_module(f"sdfcheck.robot.{module}"), attribute)
-    return found
-
-
-# Parts by name or number.
-
-
-P = TypeVar("P", bound="Part")
-
-
-class NotFound(LookupError):
-    """There is no part of that name or number."""
-
-
-def pick(owner: Part, kind: str, parts: Sequence[P], key: str | int) -> P:
-    """The part of a name (``outer::inner`` reaches into models) or number; raises NotFound."""
-    where = f"{type(owner).__name__.lower()} `{owner.name}`" if owner.holder is not None else "the file"
-    if isinstance(key, int):
-        if -len(parts) <= key < len(parts):
-            return parts[key]
-        held = f"{len(parts)} {kind}" if len(parts) == 1 else f"{len(parts)} {kind}s"
-        raise NotFound(f"{where} has no {kind} number {key}; it has {held}")
-    found = next((part for part in parts if part.name == key), None)
-    if found is not None:
-        return found
-    outer, scoped, inner = key.partition("::")
-    if scoped:
-        model = next((model for model in getattr(owner, "models", ()) if model.name == outer), None)
-        if model is not None:
-            return getattr(model, kind)(inner)  # type: ignore[no-any-return]
-    from sdfcheck.formats.near_names import did_you_mean
-
-    near = did_you_mean(key, (part.name for part in parts))
-    raise NotFound(f"{where} has no {kind} `{key}`{near}")
-
-
-# Values with the defaults that the formats give them.
-
-
-_NUMBERS = frozenset(("double", "float", "int", "unsigned int"))
-_VECTORS = frozenset(("vector3", "vector2d", "vector2i", "color", "pose", "quaternion", "angle", "time"))
-
-
-def setting(part: Part, name: str) -> Number | Vector | Flag | Text:
-    """A value of a part, or its default; raises NotFound where the format has none of that name."""
-    if part.is_urdf:
-        value = part.value(name)
-        if value is None:
-            raise NotFound(f"{part.title} has no `{name}`")
-        return _typed(value, part.element, "double" if value.number == value.number else "string", "")
-    definition: Definition | AttributeDefinition | None = _definition(part.element)
-    if not part.is_given and isinstance(definition, Definition):
-        definition = definition.children.get(part.kind)
-    element: Element | None = part.element if part.is_given else None
-    *path, last = name.split("/")
-    for step in path:
-        definition = definition.children.get(step) if isinstance(definition, Definition) else None
-        element = None if element is None else element.find(step)
-    place = definition
-    if isinstance(place, Definition):
-        definition = place.attributes.get(last) or place.children.get(last)
-    if definition is None or definition is place or definition.type is None:
-        raise NotFound(f"the format has no value `{name}` in {part.title}")
-    value = None
-    if element is not None:
-        child = None if isinstance(definition, AttributeDefinition) else element.find(last)
-        value = element.attribute(last) if child is None else child.own_value
-    return _typed(
-        value, part.element if element is None else element, definition.type, definition.default or ""
-    )
-
-
-def _definition(element: Element) -> Definition | None:
-    """The definition of an element in the document's version."""
-    names: list[str] = []
-    at: Element = element
-    while (parent := at.parent) is not None and parent.name != "gazebo":
-        names.insert(0, at.name)
-        at = parent
-    definition: Definition | None = schema(survey(element.document).version).root
-    if at.name != "sdf":  # in a <gazebo> block of URDF
-        names.insert(0, at.name)
-        definition = schema(survey(element.document).version).at(f"{names[0]}:{names[0]}")
-        names = names[1:]
-    for name in names:
-        definition = definition.children.get(name) if definition is not None else None
-    return definition
-
-
-def _typed(value: Value | None, element: Element, kind: str, default: str) -> Number | Vector | Flag | Text:
-    if kind in _NUMBERS:
-        return Number.of(value, element, _number(default))
-    if kind in _VECTORS:
-        return Vector.of(value, element, map(_number, default.split()))
-    if kind == "bool":
-        return Flag.of(value, element, is_true(default))
-    return Text.of(value, element, default)
-
-
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        return math.nan
-
-
-# Parts: everything that a description is made of.
-#
-# A part is an element with a meaning: a link, a joint, a sensor. Parts are made when they
-# are asked for, each once, and never change the document. Where the format takes a part
-# for granted that is not written, the part exists with its defaults and ``is_given`` is
-# False.
-
-
-T = TypeVar("T", str, int, float, bool)
-
-Registry = dict["Element", "Part"]
-"""The parts that elements have become, of one reading of a file: two includes of it make two readings."""
-
-
-class Part:
-    """One part of a description.
-
-    ``holder`` is the part that it is in (None for the root); ``is_urdf`` says which
-    format it is written in: what ``<gazebo>`` holds in a URDF file is SDFormat.
+    In SDFormat what is missing is 1 kg and unit moments, in URDF nothing.
     """
 
-    kind: ClassVar[str] = ""
-    """The name of its element in SDFormat."""
-    is_scope: ClassVar[bool] = False
-    """Is it a model or world?"""
-    is_custom: ClassVar[bool] = False
-    """Is it data with a prefix?"""
+    __slots__ = ()
+    kind = "inertial"
 
-    holder: Part | None
-    root: Root
-    registry: Registry
-    is_urdf: bool
-    is_given: bool
-    """Is it written in the text? Values that are not written have their defaults."""
+    @property
+    def link(self) -> Link:
+        """The link."""
+        return cast("Link", self.holder)
 
-    __slots__ = ("__dict__", "__weakref__", "element", "holder", "is_given", "is_urdf", "registry", "root")
+    @lazy
+    def mass(self) -> Number:
+        """kg."""
+        if not self.is_urdf:
+            return self._number("mass", 1.0)
+        mass = self.find("mass")
+        return Number.of(self._mass_value, mass if mass is not None else self.element, 0.0)
 
-    def __init__(self, holder: Part, element: Element | None) -> None:
-        self.holder = holder
-        self.root = holder.root
-        self.registry = holder.registry
-        self.is_urdf = holder.is_urdf
-        self.is_given = element is not None
-        self.element: Element = holder.element if element is None else element
+    @property
+    def has_mass(self) -> bool:
+        """Is the mass other than 0? In URDF a text that is not a number counts, for it is reported for itself."""
+        if not self.is_urdf:
+            return float(self.mass) != 0
+        return self._mass_value is not None and self._mass_value.number != 0
 
-    def __repr__(self) -> str:
-        name = self.name
-        return f"{type(self).__name__}({name!r})" if name else f"{type(self).__name__}()"
+    @lazy
+    def _mass_value(self) -> Value | None:
+        mass = self.find("mass")
+        return mass.attribute("value") if mass is not None else None
 
-    # Identity
+    @lazy
+    def inertia(self) -> Element | None:
+        """The element ``inertia``."""
+        return self.find("inertia")
+
+    @property
+    def moments_element(self) -> Element:
+        """The element that holds the moments or would hold them."""
+        return self.element if self.inertia is None else self.inertia
+
+    @lazy
+    def moments(self) -> dict[str, Number]:
+        """ixx, iyy, izz, ixy, ixz, iyz (kg·m²) about the center of mass."""
+        inertia = self.inertia
+        holder = self.element if inertia is None else inertia
+        found: dict[str, Number] = {}
+        for name, default in zip(MOMENTS, _DEFAULT_MOMENTS, strict=True):
+            value: Value | None = None
+            if inertia is not None and self.is_urdf:
+                value = inertia.attribute(name)
+            elif inertia is not None and (child := inertia.find(name)) is not None:
+                value = child.own_value
+            found[name] = Number.of(value, holder, 0.0 if self.is_urdf else default)
+        return found
+
+    @lazy
+    def is_legible(self) -> bool:
+        """Are all moments finite numbers? In SDFormat some may be left out, but not misspelled."""
+        inertia = self.inertia
+        if not all(math.isfinite(moment.number) for moment in self.moments.values()):
+            return False
+        if self.is_urdf:
+            return all(moment.is_given for moment in self.moments.values())
+        if inertia is None:
+            return not self.misspells("inertia")
+        written = self.part(inertia)
+        return not any(
+            written.misspells(name) or (written.value(name) is not None and not moment.is_given)
+            for name, moment in self.moments.items()
+        )
+
+    @property
+    def missing_moments(self) -> tuple[str, ...]:
+        """The names of the moments that an ``inertia`` of URDF does not write."""
+        inertia = self.inertia
+        if inertia is None or not self.is_urdf:
+            return ()
+        part = self.part(inertia)
+        return tuple(name for name in _BY_ROWS if name not in inertia.attributes and part.lacks(name))
+
+    @lazy
+    def tensor(self) -> Moments:
+        """The moments as simulators read them."""
+        return Moments(*map(float, self.moments.values()))
+
+    @lazy
+    def principal(self) -> tuple[float, float, float]:
+        """The principal moments (kg·m²), the smallest first."""
+        return self.tensor.principal()
+
+    @lazy
+    def solid_trace(self) -> float:
+        """The trace (kg·m²) that its mass has when it fills the solids of the link evenly; nan if there are none.
+
+        Where there are meshes alone, each counts as the box around it.
+        """
+        center, mass = self.center, self.mass.number
+        parts = self._solid_parts if center is not None else ()
+        if center is None or not parts:
+            return math.nan
+        volume = sum(solid.volume for solid, _ in parts)
+        trace = 0.0
+        for solid, at in parts:
+            distance = math.dist(at, center)
+            trace += mass * solid.volume / volume * (solid.moments.trace + 2 * distance * distance)
+        return trace
+
+    @property
+    def _solid_parts(self) -> list[tuple[Solid, tuple[float, ...]]]:
+        """The solids of the link with their centers; without any, the boxes around its meshes."""
+        link = self.link
+        placed = [(shape.geometry.solid, shape.position) for shape in link.solids]
+        found: list[tuple[Solid, tuple[float, ...]]]
+        found = [(solid, at) for solid, at in placed if solid is not None and at is not None]
+        if found or not link.has_mesh or link.extent is None:
+            return found
+        boxes = (shape.box for shape in link.collisions or link.visuals)
+        return [(solids.box(*box.size), box.center) for box in boxes if box is not None and all(box.size)]
+
+    @property
+    def is_automatic(self) -> bool:
+        """Does the simulator compute it from the collisions (``auto="true"``)?"""
+        return not self.is_urdf and is_true(self._text("auto") or "")
+
+    density = number("density", 1000.0, "kg/m³, for an automatic inertia.")
+
+    @lazy
+    def center(self) -> tuple[float, float, float] | None:
+        """The center of mass in the link's frame (m); None where that is not plain to read."""
+        return self.written_position
+
+    @property
+    def is_unremarkable(self) -> bool:
+        """Are mass and moments surely those of a body, near to those of a solid of the link's shapes?
+
+        Worked out quickly; False proves nothing.
+        """
+        return bool(self._soundness & SOUND)
+
+    @property
+    def fits_shapes(self) -> bool:
+        """Are they also near to those of the link's primitive shapes, axis by axis? False proves nothing."""
+        return bool(self._soundness & FITTING)
+
+    @property
+    def is_inside(self) -> bool:
+        """Is the center of mass surely inside of a primitive shape? False proves nothing."""
+        return bool(self._soundness & INSIDE)
+
+    @property
+    def is_light(self) -> bool:
+        """Is the mass surely that of a material that fills its primitive shapes? False proves nothing."""
+        return bool(self._soundness & LIGHT)
+
+    @property
+    def is_near(self) -> bool:
+        """Are the moments surely at most twice those of a solid of its primitive shapes? False proves nothing."""
+        return bool(self._soundness & NEAR)
+
+    @lazy
+    def _soundness(self) -> int:
+        return soundness(self.link.element) if self.is_given else 0
+
+
+# Links.
+
+
+class Link(Node):
+    """A rigid body."""
+
+    __slots__ = ()
+    kind = "link"
+
+    @property
+    def model(self) -> Model:
+        """The model that it is part of."""
+        return cast("Model", self.holder)
+
+    @property
+    def is_static(self) -> bool:
+        """Is it part of something that does not move?"""
+        return bool(getattr(self.holder, "is_static", False))
+
+    @property
+    def may_be_static(self) -> bool:
+        """Is it part of something that does not move, or of which that cannot be read?"""
+        return bool(getattr(self.holder, "may_be_static", False))
+
+    @lazy
+    def inertial(self) -> Inertial:
+        """Its mass and inertia; with ``is_given`` False where nothing is written."""
+        return self._only("inertial", Inertial)
+
+    @property
+    def has_mass(self) -> bool:
+        """Is its mass other than 0? In URDF a text that is not a number counts, for it is reported for itself."""
+        return self.inertial.has_mass
+
+    visuals: lazy[tuple[Visual, ...]] = parts("visual", "The visible shape of it.")
+    collisions: lazy[tuple[Collision, ...]] = parts("collision", "The shape of it that touches other things.")
+
+    @property
+    def shapes(self) -> tuple[Shape, ...]:
+        """Its visuals and collisions."""
+        return (*self.visuals, *self.collisions)
+
+    @lazy
+    def solids(self) -> tuple[Shape, ...]:
+        """The primitive shapes whose place in it is known: of its collisions, or of its visuals if it has none.
+
+        None where xacro may add more.
+        """
+        if self.document.kind is Kind.XACRO or self.is_unfinished:
+            return ()
+        shapes: tuple[Shape, ...] = self.collisions or self.visuals
+        return tuple(
+            shape for shape in shapes if shape.geometry.solid is not None and shape.position is not None
+        )
+
+    @property
+    def sensors(self) -> tuple[Sensor, ...]:
+        """Its sensors; in URDF those of the ``<gazebo>`` blocks about it."""
+        blocks = (sensor for block in self.gazebo_blocks for sensor in block.sensors)
+        return (*(() if self.is_urdf else self._parts("sensor")), *blocks)
+
+    @property
+    def lights(self) -> tuple[Light, ...]:
+        """Its lights; in URDF those of the ``<gazebo>`` blocks about it."""
+        blocks = (light for block in self.gazebo_blocks for light in block.lights)
+        return (*(() if self.is_urdf else self._parts("light")), *blocks)
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        """The plugins of the ``<gazebo>`` blocks about it."""
+        return tuple(plugin for block in self.gazebo_blocks for plugin in block.plugins)
+
+    @property
+    def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
+        """The ``<gazebo>`` blocks about it, in URDF."""
+        return tuple(self.model.blocks_by_reference.get(self.name, ())) if self.is_urdf else ()
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around its collisions, or its visuals where it has none of known size (m), in plain numbers."""
+        return _around(self.collisions) or _around(self.visuals)
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around its collisions, or its visuals where it has none: lowest and highest x, y, z.
+
+        In m, in its frame, shape (2, 3), meshes included; None where no shape has a known size.
+        """
+        return as_array(self.box)
+
+    @lazy
+    def visual_box(self) -> Box | None:
+        """The box around its visuals (m); None unless the size of each of them is known."""
+        return self._around_all(self.visuals)
+
+    @lazy
+    def collision_box(self) -> Box | None:
+        """The box around its collisions (m); None unless the size of each of them is known."""
+        return self._around_all(self.collisions)
+
+    @lazy
+    def extent(self) -> Box | None:
+        """The box around its visuals and collisions (m); of either kind only if the size of each is known."""
+        from sdfcheck.bodies.box import around
+
+        return around((self.visual_box, self.collision_box))
+
+    @lazy
+    def fixed_extent(self) -> Box | None:
+        """The same, with the links that fixed joints of URDF tie to it from below; None unless all are known."""
+        return None if self.document.is_open else _with_fixed(self)
+
+    def distance_to(self, other: Link) -> float:
+        """How far the shapes of another link are from its own (m), at least, all joints at zero; 0 if not known.
+
+        In URDF, by the box around the one and that around the box of the other, in the frame of this one.
+        """
+        frame, pose = self.at_rest, other.at_rest
+        if frame is None or pose is None or self.extent is None or other.extent is None:
+            return 0.0
+        from sdfcheck.bodies.box import of_points
+
+        corners = (frame.seen(pose.applied_to((x, y, z))) for x, y, z in other.extent.corners())
+        return self.extent.distance_to(of_points(corners))
+
+    @property
+    def at_rest(self) -> Origin | None:
+        """Its pose in its robot of URDF with all joints at zero, in plain numbers; None where that is not known."""
+        return self.model.poses_at_rest.get(self)
+
+    def _around_all(self, shapes: tuple[Shape, ...]) -> Box | None:
+        """The box around shapes that are all known; None where xacro may add more."""
+        if self.document.kind is Kind.XACRO or self.is_unfinished:
+            return None
+        return _around(shapes) if all(shape.box is not None for shape in shapes) else None
+
+    @lazy
+    def has_mesh(self) -> bool:
+        """Has it a shape whose mesh file is there?"""
+        if not self.document.source.contains("<mesh") and not self.document.source.contains(":mesh"):
+            return False
+        return any(shape.geometry.mesh is not None for shape in self.shapes)
+
+    @lazy
+    def size_to_reach(self) -> float:
+        """Its greatest length to the longest distance between joints of its model; nan where one is not known."""
+        reach = self.model.reach if self.holder is not None and self.holder.kind == "model" else 0.0
+        box = self.box if reach else None
+        return max(box.size) / reach if box is not None else math.nan
+
+    @property
+    def counterparts(self) -> tuple[Link, ...]:
+        """The other links of its model whose names differ only by the side: those of the other wheels or legs."""
+        from sdfcheck.robot.naming.name import without_sides
+
+        key = without_sides(self.name)
+        if key == self.name:
+            return ()
+        links = self.model.links
+        return tuple(link for link in links if link is not self and without_sides(link.name) == key)
+
+    # How it hangs together with others
+
+    @property
+    def parent_joints(self) -> tuple[Joint, ...]:
+        """The joints whose child it is; more than one is a mistake, or closes a loop."""
+        return tuple(self.model.tree.parents.get(self, ()))
+
+    @property
+    def child_joints(self) -> tuple[Joint, ...]:
+        """The joints whose parent it is."""
+        return tuple(self.model.tree.children.get(self, ()))
+
+    def below(self) -> Iterator[Link]:
+        """The link and all links that hang on it, each once."""
+        return self.model.tree.below(self)
+
+    @property
+    def mass_properties(self) -> MassProperties | None:
+        """Mass (kg), center of mass (m) and inertia (kg·m²) in its frame; None where the format gives none.
+
+        An inertia that the simulator computes (``auto="true"``) is computed. Raises
+        DescriptionError for numbers that cannot be read and shapes that cannot be measured.
+        """
+        inertial = self.inertial
+        if not inertial.is_given:
+            return None
+        from sdfcheck.robot.motion.mass import of_sdf, of_urdf
+
+        if self.is_urdf:
+            return of_urdf(inertial.element)
+        if inertial.is_automatic:
+            return self.automatic_mass()
+        return of_sdf(inertial.element, inertial.mass, inertial.moments)
+
+    def automatic_mass(self) -> MassProperties:
+        """The mass properties that ``auto="true"`` asks for: collisions filled evenly with their density.
+
+        Raises DescriptionError for shapes that have no volume, and for meshes that cannot be measured.
+        """
+        from sdfcheck.robot.motion.mass import filled, joined
+
+        inertial = self.inertial
+        poses = self.root.poses
+        bodies: list[MassProperties] = []
+        for collision in self.collisions:
+            density = collision.density if collision.density.is_given else inertial.density
+            body = filled(collision.geometry, float(density), collision.element)
+            bodies.append(body.seen_from(poses.of_part(collision.element, self)))
+        total = joined(bodies)
+        if total is None:
+            raise DescriptionError("its inertia cannot be computed: the link has no collision", self.element)
+        wanted = inertial.mass
+        return total.scaled_to(float(wanted)) if wanted.is_given and wanted > 0 and total.mass > 0 else total
+
+    @property
+    def urdf_base(self) -> tuple[Node | None, Element | None]:
+        for joint in self.parent_joints:
+            return joint.parent, joint.element
+        return super().urdf_base
+
+
+def _around(shapes: Iterable[Shape]) -> Box | None:
+    """The box around shapes in their link's frame; None without any of known size."""
+    from sdfcheck.bodies.box import around
+
+    return around(shape.box for shape in shapes)
+
+
+_MOST_FIXED = 100
+"""Links fixed to one that are looked at."""
+
+
+def _with_fixed(link: Link) -> Box | None:
+    """The box around a link and those that fixed joints of URDF tie to it, in its frame; None if one is unknown."""
+    from sdfcheck.bodies.box import around, of_points
+
+    found = [link.extent]
+    waiting = [(link, Origin())]
+    while waiting:
+        at, pose = waiting.pop()
+        for joint in at.child_joints if link.is_urdf else ():
+            child = joint.child_link
+            if not joint.is_fixed or child is None or len(found) > _MOST_FIXED:
+                continue
+            try:
+                placed = pose.followed_by(origin_in(joint.element))
+            except DescriptionError:
+                return None
+            waiting.append((child, placed))
+            if child.shapes:
+                if child.extent is None:
+                    return None
+                found.append(of_points(placed.applied_to((x, y, z)) for x, y, z in child.extent.corners()))
+    return around(found) if link.extent is not None else None
+
+
+def _placement_in(part: Part, link: Link) -> Origin:
+    """The pose of a visual or collision in its link; raises DescriptionError."""
+    if part.is_urdf:
+        return origin_in(part.element)
+    pose = part.find("pose") if part.is_given else None
+    if not reference_of(pose):
+        return pose_in(pose)
+    from sdfcheck.robot.motion.poses import origin_from
+
+    return origin_from(link.root.poses.of_part(part.element, link))
+
+
+# Shapes and materials: what is seen of a link, and what it touches others with.
+
+
+class Shape(Part):
+    """A visual or a collision of a link."""
+
+    __slots__ = ()
+
+    @property
+    def link(self) -> Link:
+        """The link that it belongs to."""
+        return cast("Link", self.holder)
+
+    @lazy
+    def geometry(self) -> Geometry:
+        """Its shape."""
+        return self._only("geometry", Geometry)
+
+    @property
+    def plugins(self) -> tuple[Plugin, ...]:
+        return () if self.is_urdf else tuple(self._parts("plugin"))
+
+    @property
+    def position(self) -> tuple[float, float, float] | None:
+        """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
+        return self.written_position
+
+    @property
+    def along(self) -> tuple[float, float, float] | None:
+        """The direction of its z axis in its link's frame; None where that cannot be worked out."""
+        try:
+            return _placement_in(self, self.link).turned((0.0, 0.0, 1.0))
+        except DescriptionError:
+            return None
+
+    @lazy
+    def box(self) -> Box | None:
+        """The box around it in its link's frame (m), in plain numbers; None where size or place is not known."""
+        own = self.geometry.box
+        if own is None:
+            return None
+        try:
+            placed = _placement_in(self, self.link)
+        except DescriptionError:
+            return None
+        if placed.rotation is UNTURNED:
+            return own.moved_by(placed.position)
+        from sdfcheck.bodies.box import of_points
+
+        return of_points(placed.applied_to((x, y, z)) for x, y, z in own.corners())
+
+    @property
+    def bounds(self) -> Array | None:
+        """The box around it in its link's frame: lowest and highest x, y, z (m), shape (2, 3).
+
+        Of round shapes and of meshes the box around their own axes counts. None where size or place is not
+        known: of planes, submeshes, and meshes that are not found or cannot be read.
+        """
+        return as_array(self.box)
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""
+        return self.root.poses.of_part_in(self.element if self.is_given else None, self.link, relative_to)
+
+
+class Visual(Shape):
+    """The visible shape of a link."""
+
+    __slots__ = ()
+    kind = "visual"
+
+    @lazy
+    def material(self) -> Material:
+        """Its material; in URDF the first of its name that says what it looks like, as the others do not count."""
+        own = self.own_material
+        model = self.within(Model) if self.is_urdf and own.name else None
+        if model is None:
+            return own
+        found = model.material_names.defined.get(own.name, own)
+        return found if found.has_look else own
+
+    @lazy
+    def own_material(self) -> Material:
+        """Its material as it is written in it, maybe only a name."""
+        return self._only("material", Material)
+
+
+class Collision(Shape):
+    """The shape of a link that touches other things."""
+
+    __slots__ = ()
+    kind = "collision"
+
+    @lazy
+    def surface(self) -> Surface:
+        """How it slides and bounces, in SDFormat."""
+        return self._only("surface", Surface)
+
+    density = number("density", 1000.0, "kg/m³, for an automatic inertia.")
+
+
+# Boxes around shapes, links and models, meshes included.
+#
+# Without numpy, except for models and for poses relative to other frames: lint asks for them.
+
+
+def _reach_of(model: Model) -> float:
+    """The longest distance (m) between neighboring joints, or in SDFormat between links; 0 without any."""
+    if not model.joints:
+        return 0.0
+    if model.is_urdf:
+        written = (joint.element.find("origin") for joint in model.joints)
+        places = [_origin_position(origin) for origin in written if origin is not None]
+        return max((math.hypot(*at) for at in places if at is not None), default=0.0)
+    known = [at for link in model.links if (at := link.written_position) is not None]
+    return max((math.dist(at, known[0]) for at in known), default=0.0) if len(known) > 1 else 0.0
+
+
+def _density_of(model: Model) -> float:
+    """The mass of links by the volume of the boxes around their shapes (kg/m³); nan unless two of them have both."""
+    mass = volume = 0.0
+    count = 0
+    for link in model.links:
+        box = link.box if link.inertial.is_given else None
+        if box is not None and link.inertial.mass.number > 0 and math.prod(box.size) > 0:
+            mass += link.inertial.mass.number
+            volume += math.prod(box.size)
+            count += 1
+    return mass / volume if count > 1 else math.nan
+
+
+def _origin_position(origin: Element) -> tuple[float, ...] | None:
+    """The position (m) that an ``origin`` writes; None where it cannot be read."""
+    try:
+        return numbers_of(origin, "xyz", (0.0, 0.0, 0.0))
+    except DescriptionError:
+        return None
+
+
+# Axes of joints: directions, limits, dynamics, and joints that follow others.
+
+
+ENDLESS = 1e15
+"""Limits from here on mean none: before 1.10 the format writes 1e16 for infinity."""
+
+
+_FIVE, _SEVEN = Version(1, 5), Version(1, 7)
+
+
+class _AxisPart(Part):
+    """Something that belongs to an axis: in URDF it is written in the joint."""
+
+    __slots__ = ()
+
+    @property
+    def joint(self) -> Joint:
+        """The joint."""
+        at = self.holder
+        while at is not None and at.kind != "joint":
+            at = at.holder
+        assert at is not None, "axes are made in joints only"
+        return cast("Joint", at)
+
+    @property
+    def axis(self) -> Axis:
+        """The axis that it belongs to."""
+        return self.holder if isinstance(self.holder, Axis) else self.joint.axis
+
+
+class Axis(Part):
+    """A direction that a joint turns about or moves along."""
+
+    __slots__ = ()
+    kind = "axis"
+
+    @property
+    def joint(self) -> Joint:
+        """The joint that it belongs to."""
+        return cast("Joint", self.holder)
 
     @property
     def name(self) -> str:
-        """Its name, without spaces around it; empty where it has none."""
-        return (self._text("name") or "").strip()
-
-    @property
-    def name_value(self) -> Value | None:
-        """Its name with the place of the text."""
-        return self.element.attribute("name") if self.is_given else None
-
-    @property
-    def title(self) -> str:
-        """Its name in a sentence: ``joint `elbow```."""
-        return self.element.title
-
-    @property
-    def document(self) -> Document:
-        """The file that it is written in; for what an include brings, the included file."""
-        return self.element.document
-
-    @property
-    def span(self) -> Span:
-        """The place of its name in the start tag."""
-        return self.element.span
-
-    def within(self, cls: type[P]) -> P | None:
-        """The innermost part of a class that it is in: ``visual.within(Link)``."""
-        at = self.holder
-        while at is not None and not isinstance(at, cls):
-            at = at.holder
-        return at
-
-    @property
-    def scope_around(self) -> Scope | None:
-        """The model or world that it is directly in."""
-        return cast("Scope", self.holder) if self.holder is not None and self.holder.is_scope else None
-
-    # Written values
-
-    def value(self, name: str) -> Value | None:
-        """The text of an attribute, else of a child element, with its place; None if there is neither."""
-        return self.element.value(name) if self.is_given else None
-
-    def attribute(self, name: str) -> Value | None:
-        """The attribute of that name, prefix included: ``attribute("flatland:type")``."""
-        return self.element.attribute(name) if self.is_given else None
-
-    def has(self, name: str) -> bool:
-        """Is there a child element of that name, prefix included?"""
-        return self.is_given and self.element.has(name)
-
-    @property
-    def is_extension(self) -> bool:
-        """Is it in a ``<gazebo>`` block of a URDF file, so that only Gazebo reads it?"""
-        return self.root.is_urdf and not self.is_urdf
-
-    def misspells(self, name: str) -> bool:
-        """Does it lack a child or attribute of that name only because it is misspelled?"""
-        if not self.is_given:
-            return False
-        if self.is_urdf:
-            from sdfcheck.formats.urdf.findings import misspells
-
-            return misspells(self.element, name)
-
-        return (self.element, name) in survey(self.document).misspelled
-
-    def find(self, name: str) -> Element | None:
-        """The first child element of that name, prefix included."""
-        return self.element.find(name) if self.is_given else None
-
-    def children(self, name: str | None = None) -> Iterator[Element]:
-        """The child elements, or those of one name."""
-        return self.element.children(name) if self.is_given else iter(())
-
-    def all_elements(self) -> Iterator[Element]:
-        """All elements in it, those of plugins as well, in the order of the file."""
-        return self.element.below if self.is_given else iter(())
-
-    def lacks(self, name: str) -> bool:
-        """Is there neither an attribute nor a child element of a name, not even a misspelled one?"""
-        if self.value(name) is not None or self.misspells(name):
-            return False
-        if not self.is_unfinished:
-            return True
-        from sdfcheck.formats.urdf.findings import definition
-        from sdfcheck.xacro.static.macro_survey import may_get
-
-        return not may_get(self.element, name, definition(self.element))
-
-    @property
-    def is_unfinished(self) -> bool:
-        """Is it in a file for xacro, or in what xacro has made of one in part, and xacro will put something into it?"""
-        if not self.is_given or not (self.document.kind is Kind.XACRO or self.document.is_expanded):
-            return False
-        from sdfcheck.xacro.static.macro_survey import is_unfinished
-
-        return is_unfinished(self.element)
-
-    def nearest(self, name: str, candidates: Iterable[str]) -> str | None:
-        """The candidate that a misspelled name was probably meant to be; None if none is near.
-
-        A document full of unknown names is not guessed at without end.
-        """
-        from sdfcheck.formats.near_names import nearest
-
-        return nearest(name, candidates, self.document)
-
-    @overload
-    def get(self, name: str) -> str | None: ...
-    @overload
-    def get(self, name: str, type: type[T]) -> T | None: ...
-    @overload
-    def get(self, name: str, type: type[Vector]) -> Vector | None: ...
-    @overload
-    def get(self, name: str, type: type[Pose]) -> Pose | None: ...
-    def get(self, name: str, type: Any = str) -> Any:
-        """The value of an attribute, else of a child element: str, int, float, bool, Vector or Pose.
-
-        ``name`` is as written, prefix included; ``camera/image/width`` leads to what is deeper.
-        None if it is not there; ValueError, with the place, if it is not of the type.
-        """
-        *path, last = name.split("/")
-        at: Element | None = self.element if self.is_given else None
-        for step in path:
-            at = None if at is None else at.find(step)
-        if at is None:
-            return None
-        if type not in {str, int, float, bool, Vector}:
-            return type.written(at, last)
-        if type is not Vector:
-            return at.get(last, type)
-        value = at.value(last)
-        if value is None:
-            return None
-        numbers = Vector.of(value, at, ())
-        if value.text.strip() and not numbers:
-            value.to(float)
-        return numbers
-
-    def setting(self, name: str) -> Number | Vector | Flag | Text:
-        """A value of the standard, with the default of the format where it is not written.
-
-        ``name`` is that of an attribute or a child element, ``camera/image/width`` that of what
-        is deeper. Raises NotFound where the format has no such value here.
-        """
-        return setting(self, name)
-
-    @property
-    def custom(self) -> dict[str, Custom]:
-        """Prefixed attributes and elements by their names, the first of each."""
-        found: dict[str, Custom] = {}
-        if not self.is_given:
-            return found
-        for name in self.element.attributes:
-            if ":" in name and not name.startswith("xml:"):
-                made: Any = class_named("Custom")
-                found[name] = made(self, self.element, self.element.attribute(name))
-        for child in self.children():
-            if child.is_custom and (part := self.part(child)).is_custom:
-                found.setdefault(child.name, cast("Custom", part))
-        return found
-
-    def release(self) -> None:
-        """Drop all parts of the reading, which refer to one another; its document is not needed any more."""
-        for part in (self, *self.registry.values()):
-            part.__dict__.clear()
-        self.registry.clear()
-        del self.root
-
-    @property
-    def written_position(self) -> tuple[float, float, float] | None:
-        """The position that its ``pose`` or ``origin`` writes; None if that alone does not say it."""
-        if self.is_urdf:
-            origin = self.find("origin")
-            return _three(origin.text_of("xyz", "0 0 0") if origin is not None else "0 0 0")
-        pose = self.find("pose")
-        if pose is None or not pose.content:
-            return 0.0, 0.0, 0.0
-        if pose.text_of("relative_to", "").strip():
-            return None
-        return _three(pose.content)
-
-    # For the parts themselves
-
-    def part(self, element: Element) -> Part:
-        """The part that a child element makes, each time the same."""
-        found = self.registry.get(element)
-        if found is None:
-            found = self.registry[element] = part_class(self, element)(self, element)
-        return found
-
-    def _parts(self, name: str) -> Iterator[Any]:
-        """The parts that the child elements of a name make."""
-        return (self.part(child) for child in self.children(name))
-
-    def _only(self, name: str, cls: type[P]) -> P:
-        """The part of the first child element of a name; one with defaults if there is none."""
-        child = self.find(name)
-        if child is not None:
-            found = self.part(child)
-            if isinstance(found, cls):
-                return found
-        return cls(self, child)
-
-    def _text(self, name: str) -> str | None:
-        """The text of an attribute."""
-        return self.element.text_of(name) if self.is_given else None
-
-    def _number(self, name: str, default: float) -> Number:
-        """A number: in SDFormat a child element, in URDF an attribute."""
-        return Number.of(self._setting(name), self.element, default)
-
-    def _vector(self, name: str, default: tuple[float, ...]) -> Vector:
-        return Vector.of(self._setting(name), self.element, default)
-
-    def _setting(self, name: str) -> Value | None:
-        if not self.is_given:
-            return None
-        if self.is_urdf:
-            return self.element.attribute(name)
-        child = self.element.find(name)
-        return None if child is None else child.own_value
-
-
-def _three(text: str) -> tuple[float, float, float] | None:
-    try:
-        x, y, z = (float(word) for word in text.split()[:3])
-    except ValueError:
-        return None
-    return x, y, z
-
-
-# Custom data: prefixed attributes and elements, of which the format says only where they may be.
-
-
-class Custom(Part):
-    """A prefixed element (``flatland:gear``), or a prefixed attribute.
-
-    Source: the custom-elements proposal of SDFormat 1.7.
-    """
-
-    __slots__ = ("own_value",)
-    is_custom = True
-
-    def __init__(self, holder: Part, element: Element | None, attribute: Value | None = None) -> None:
-        super().__init__(holder, element)
-        self.own_value: Value | None = attribute
-        """Its text with its place."""
-        if attribute is None and element is not None:
-            self.own_value = element.own_value
-
-    @property
-    def is_attribute(self) -> bool:
-        return self.own_value is not None and self.own_value.attribute is not None
-
-    @property
-    def tag(self) -> str:
-        """Its name as written, prefix included."""
-        value = self.own_value
-        return value.attribute if value is not None and value.attribute else self.element.name
-
-    @property
-    def prefix(self) -> str:
-        return self.tag.partition(":")[0]
-
-    @property
-    def displaced(self) -> tuple[Displaced, ...]:
-        """The standard elements in it that could be beside it, where simulators look for them."""
-        if self.is_attribute:
-            return ()
-        if self.is_urdf:
-            from sdfcheck.formats.urdf.survey import survey as urdf_survey
-
-            return urdf_survey(self.document).displaced.get(self.element, ())
-        return survey(self.document).displaced.get(self.element, ())
-
-    @property
-    def replaced(self) -> tuple[str, ...]:
-        """The names of required elements that are absent beside it, and that it seems to replace."""
-        return () if self.is_attribute else tuple(survey(self.document).replaced.get(self.element, ()))
-
-    @property
-    def text(self) -> str:
-        """Its text, or the value of the attribute."""
-        return self.own_value.text if self.own_value is not None else ""
-
-
-# Settings: elements that have a meaning of their own in no other class.
-
-
-class Setting(Part):
-    """An element of the format that is read by its name: ``camera``, ``ode``, ``noise`` …"""
-
-    __slots__ = ()
-    kind = "setting"
-
-    @property
-    def settings(self) -> tuple[Part, ...]:
-        """The parts that its child elements make."""
-        return tuple(self.part(child) for child in self.children())
-
-
-# Placements: ``pose`` in SDFormat, ``origin`` in URDF.
-
-
-class Placement(Part):
-    """A ``pose`` of SDFormat or an ``origin`` of URDF, as it is written."""
-
-    __slots__ = ()
-    kind = "pose"
-
-    @property
-    def numbers(self) -> Vector:
-        """Of a pose: position (m) and rotation, in one row; empty where it cannot be read."""
-        return Vector.of(None if self.is_urdf else self.element.own_value, self.element, (0.0,) * 6)
+        """``axis`` or ``axis2``."""
+        return self.element.name if self.is_given else "axis"
 
     @property
     def xyz(self) -> Vector:
-        """The position (m)."""
-        if self.is_urdf:
-            return Vector.of(self.attribute("xyz"), self.element, (0.0, 0.0, 0.0))
-        return self._part(slice(0, 3))
-
-    @property
-    def rotation(self) -> Vector:
-        """Roll, pitch, yaw (rad or degrees), or the quaternion x, y, z, w."""
-        if not self.is_urdf:
-            return self._part(slice(3, None))
-        quaternion = self.attribute("quat_xyzw")
-        return Vector.of(quaternion or self.attribute("rpy"), self.element, (0.0, 0.0, 0.0))
-
-    @property
-    def is_quaternion(self) -> bool:
-        if self.is_urdf:
-            return self.attribute("quat_xyzw") is not None
-        return (self._text("rotation_format") or "").strip() == "quat_xyzw"
-
-    @property
-    def reference(self) -> str:
-        """The frame that it is relative to, as written; empty for the default."""
-        return "" if self.is_urdf else reference_of(self.element)
-
-    def _part(self, part: slice) -> Vector:
-        numbers = self.numbers
-        found = Vector(tuple(numbers)[part])
-        found.value, found.element = numbers.value, numbers.element
-        return found
-
-
-# Nodes: what poses can be relative to, and what references name.
-#
-# Links, joints, frames and models are nodes of the model or world that they are in, and
-# worlds are nodes, too. A frame moves with what it is attached to, a joint with its child,
-# a model with its canonical link. A static model moves with nothing, and is a place of its
-# own. Source: libsdformat 17's FrameSemantics.cc and parser.cc, checked against what they do.
-
-
-class Node(Part):
-    """A named place: a link, joint, frame, model or world."""
-
-    __slots__ = ("_name", "merged")
-
-    def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
-        super().__init__(holder, element)
-        self._name = name
-        self.merged: MergedFrame | None = None
-        """The frame of the model that brought it here, if an include was merged."""
-
-    @property
-    def name(self) -> str:
-        """The name by which it goes in its model or world."""
-        if self._name is None:
-            name = self._text("name") or ""
-            self._name = name if self.is_urdf else name.strip()
-        return self._name
-
-    @property
-    def place(self) -> Element:
-        """The element of the enclosing file that brings it: its own, or that of the include."""
-        return self.element
-
-    @property
-    def scope(self) -> Scope:
-        """The model or world in which its name is known."""
-        if self.holder is not None and self.holder.kind == "gazebo":
-            return cast("Node", self.holder).scope
-        return cast("Scope", self.holder)
-
-    @property
-    def scoped_name(self) -> str:
-        """Its name from the top of the file: ``robot::arm::hand``."""
-        scope: Part | None = self.holder
-        outer = scope.scoped_name if isinstance(scope, Node) and scope.kind == "model" else ""
-        return f"{outer}::{self.name}" if outer else self.name
-
-    @property
-    def unmerged(self) -> Node:
-        """It as it is by itself, where an include merged it into another model."""
-        return self
-
-    # Motion
-
-    @property
-    def attachment(self) -> Node | None:
-        """The next node on the way to the link that carries it; None if there is none."""
-        return None
+        """The direction as written, of any length."""
+        return self._vector("xyz", (1.0, 0.0, 0.0) if self.is_urdf else (0.0, 0.0, 1.0))
 
     @lazy
-    def carrier(self) -> Node | None:
-        """The node that it moves with: a link, the world, or a static model; None if that is unknown."""
-        seen: set[Node] = set()
-        at: Node | None = self
-        while at is not None and at not in seen:
-            seen.add(at)
-            if at.kind in {"link", "world"} or at.stands_still:
-                return at
-            at = at.attachment
-        return None
+    def length(self) -> float:
+        """The length of the direction as written; nan where that is not three finite numbers."""
+        xyz = self.xyz
+        length = math.hypot(*xyz) if len(xyz) == 3 else math.nan
+        return length if length < math.inf else math.nan
 
     @property
-    def stands_still(self) -> bool:
-        """Is it a model that is itself static? One in a static model need not be."""
-        return False
+    def expressed_in(self) -> str:
+        """The name of the frame in which the direction is written; empty: that of the joint.
 
-    # Where it is
-
-    @property
-    def pose_element(self) -> Element | None:
-        """The ``pose`` that counts for it."""
-        return self.find("pose")
-
-    @property
-    def written_base(self) -> str:
-        """The name that its pose is written relative to; empty where there is none."""
-        return reference_of(self.pose_element)
-
-    @property
-    def base_name(self) -> str:
-        """The name of what its pose is relative to; empty where that is the model or world it is in."""
-        return self.written_base
-
-    @property
-    def base(self) -> Node | None:
-        """The node that its pose is relative to; None where a reference is not resolved."""
-        name = self.base_name
-        return self.look_up(name) if name else (self.merged or self.scope)
-
-    def look_up(self, reference: str) -> Node | None:
-        """The node that a reference written in this part names."""
-        if reference == MODEL_FRAME and self.merged is not None:
-            return self.merged
-        around: Part | None = self.holder
-        if around is not None and around.kind == "gazebo":
-            return self.scope.resolve(reference)
-        return None if self.scope_around is None else self.scope_around.resolve(reference)
-
-    def pose(self, relative_to: str | Node | None = None) -> Pose:
-        """Where it is with all joints at zero.
-
-        ``relative_to`` names a frame as a reference in this model would, is a node, or
-        ``"world"`` for the outermost model or world; by default the model or world that
-        it is in. Lengths in m, angles in rad.
-
-        Raises PoseError where a reference leads nowhere or a number cannot be read.
+        Up to 1.4, and in 1.5 and 1.6 with ``use_parent_model_frame``, it is that of the model. Source: libsdformat 17.
         """
-        from sdfcheck.robot.motion.poses import resolved
-
-        return resolved(self, relative_to)
-
-
-class ImplicitWorld(Node):
-    """The world around a model that is alone in its file."""
-
-    __slots__ = ()
-    kind = "world"
-
-
-# Frames: named places that are attached to something.
-
-
-class Frame(Node):
-    """A ``frame``, or Drake's ``drake:frame`` in URDF."""
-
-    __slots__ = ()
-    kind = "frame"
+        xyz = self.find("xyz") if not self.is_urdf else None
+        written = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
+        if written or self.is_urdf or (version := survey(self.document).version) >= _SEVEN:
+            return written
+        flag = self.find("use_parent_model_frame")
+        return MODEL_FRAME if version < _FIVE or (flag is not None and is_true(flag.content)) else ""
 
     @property
-    def attached_to_value(self) -> Value | None:
-        """The reference to what it is attached to, with its place; None if nothing is written."""
-        value = self.attribute("link" if self.is_urdf else "attached_to")
+    def _owner(self) -> Part:
+        return self.joint if self.is_urdf else self
+
+    @lazy
+    def limit(self) -> Limit:
+        """How far, how fast and how strongly the joint moves."""
+        return self._owner._only("limit", Limit)
+
+    @lazy
+    def dynamics(self) -> Dynamics:
+        """Damping, friction and spring."""
+        return self._owner._only("dynamics", Dynamics)
+
+    @lazy
+    def mimic(self) -> Mimic | None:
+        """Which joint the axis follows; None if it follows none."""
+        found = self._owner._only("mimic", Mimic)
+        return found if found.is_given else None
+
+
+class Limit(_AxisPart):
+    """The limits of an axis, in rad or m, N or N·m, rad/s or m/s."""
+
+    __slots__ = ()
+    kind = "limit"
+
+    @lazy
+    def lower(self) -> Number:
+        """The lowest position; without limit -inf, in URDF 0 where only the rest is written."""
+        return self._number("lower", 0.0 if self.is_urdf and self.is_given else -math.inf)
+
+    @lazy
+    def upper(self) -> Number:
+        """The highest position; without limit inf, in URDF 0 where only the rest is written."""
+        return self._number("upper", 0.0 if self.is_urdf and self.is_given else math.inf)
+
+    effort = number(
+        "effort", math.inf, "The greatest force or torque; in SDFormat a negative one means unlimited."
+    )
+    velocity = number("velocity", math.inf, "The greatest speed; in SDFormat a negative one means unlimited.")
+    stiffness = number("stiffness", 1e8, "The stiffness of the stops, in SDFormat.")
+    dissipation = number("dissipation", 1.0, "The dissipation of the stops, in SDFormat.")
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """The lowest and the highest position as simulators take them: infinite where there is no limit."""
+        if self.is_urdf and self.joint.type not in {"revolute", "prismatic"}:
+            return -math.inf, math.inf
+        return _endless(self.lower), _endless(self.upper)
+
+    @property
+    def greatest_effort(self) -> float:
+        """The effort as simulators take it: infinite where there is no limit."""
+        return _unlimited(self.effort)
+
+    @property
+    def greatest_velocity(self) -> float:
+        """The velocity as simulators take it: infinite where there is no limit."""
+        return _unlimited(self.velocity)
+
+
+class Dynamics(_AxisPart):
+    """The resistance to motion along an axis."""
+
+    __slots__ = ()
+    kind = "dynamics"
+
+    damping = number("damping", 0.0, "N·m·s/rad or N·s/m.")
+    friction = number("friction", 0.0, "N·m or N.")
+    spring_reference = number(
+        "spring_reference", 0.0, "The position at which the spring is at rest, in SDFormat."
+    )
+    spring_stiffness = number("spring_stiffness", 0.0, "N·m/rad or N/m, in SDFormat.")
+
+
+class Mimic(_AxisPart):
+    """An axis that follows another: position = multiplier · (position of the leader - reference) + offset."""
+
+    __slots__ = ()
+    kind = "mimic"
+
+    @property
+    def leader_value(self) -> Value | None:
+        """The name of the joint that it follows, with its place; None where there is no name."""
+        value = self.attribute("joint")
         return value if value is not None and value.text.strip() else None
 
     @property
-    def attached_to(self) -> Node | None:
-        """The node that it is attached to, by default its holder; None if the name is unknown."""
-        return self.attachment
+    def leader_name(self) -> str:
+        """The name of the joint that it follows."""
+        return self.leader_value.text.strip() if self.leader_value is not None else ""
+
+    @property
+    def leader(self) -> Joint | None:
+        """The joint that it follows; None if the name is not that of a joint."""
+        model = self.joint.model
+        if self.is_urdf:  # where joints and links have names of their own
+            name = self.leader_value.text if self.leader_value is not None else ""
+            return model.joints_by_name.get(name) if model is not None and name else None
+        found = self.joint.look_up(self.leader_name) if self.leader_name else None
+        return cast("Joint", found) if found is not None and found.kind == "joint" else None
+
+    @property
+    def leader_guess(self) -> str | None:
+        """The joint that it was probably meant to follow, where the name is not that of a joint."""
+        joint, model = self.joint, self.joint.model
+        if not self.is_urdf or model is None:
+            return joint.scope.guess(self.leader_name, but=(joint.name,), kind="joint").meant
+        from sdfcheck.formats.near_names import nearest
+
+        candidates = (name for name in model.joints_by_name if name != joint.name)
+        return nearest(self.leader_name, candidates, self.document)
+
+    @property
+    def leads_into_ring(self) -> bool:
+        """Do its leaders follow each other without end?"""
+        seen: set[Mimic] = set()
+        at: Mimic | None = self
+        while at is not None and at not in seen:
+            seen.add(at)
+            at = at.next
+        return at is not None
+
+    @property
+    def is_without_axis(self) -> bool:
+        """Does its leader lack the axis that it follows?"""
+        leader = self.leader
+        if leader is None or self.is_urdf:
+            return False
+        return self.leader_axis not in {"axis", "axis2"} or not leader.has(self.leader_axis)
+
+    @property
+    def next(self) -> Mimic | None:
+        """The mimic of the axis that it follows: that axis follows another one, in turn."""
+        leader = self.leader
+        if leader is None or self.is_without_axis:
+            return None
+        return leader.axis2.mimic if self.leader_axis == "axis2" else leader.axis.mimic
+
+    @property
+    def leader_axis(self) -> str:
+        """The axis of the leader that it follows: ``axis`` or ``axis2``."""
+        return (self._text("axis") or "").strip() or "axis"
+
+    multiplier = number("multiplier", 1.0)
+    offset = number("offset", 0.0)
+    reference = number(
+        "reference", 0.0, "In SDFormat: the position of the leader at which this one is at the offset."
+    )
+
+
+def _endless(value: float) -> float:
+    return math.copysign(math.inf, value) if abs(value) >= ENDLESS else float(value)
+
+
+def _unlimited(value: float) -> float:
+    return math.inf if value < 0 or value >= ENDLESS else float(value)
+
+
+# Joints.
+
+
+UNCONVERTED = frozenset({"floating", "planar"})
+"""The types of URDF that SDFormat does not have: libsdformat drops such joints."""
+
+
+MOVING_IN_URDF = frozenset({"revolute", "continuous", "prismatic"}) | UNCONVERTED
+
+
+PRESERVING = ("preserveFixedJoint", "disableFixedJointLumping")
+"""The settings in ``<gazebo>`` that keep a fixed joint."""
+
+
+AXES = {
+    "revolute": 1,
+    "continuous": 1,
+    "prismatic": 1,
+    "screw": 1,
+    "gearbox": 2,
+    "revolute2": 2,
+    "universal": 2,
+    "ball": 0,
+    "fixed": 0,
+}
+"""Type in SDFormat → the number of axes that the joint moves about or along."""
+
+
+class Joint(Node):
+    """A joint between two links; in URDF also Drake's ``drake:joint``."""
+
+    __slots__ = ()
+    kind = "joint"
+
+    @lazy
+    def type(self) -> str:
+        """The type as simulators compare it: in SDFormat small letters, without spaces; empty if there is none."""
+        text = self._text("type") or ""
+        return text if self.is_urdf else text.strip().lower()
+
+    @property
+    def type_value(self) -> Value | None:
+        """The type with its place."""
+        return self.attribute("type")
+
+    @property
+    def scope(self) -> Scope:
+        return cast("Scope", super().scope)
+
+    @property
+    def is_fixed(self) -> bool:
+        """Does it not let its child move?"""
+        return self.type == "fixed"
+
+    @property
+    def is_unconverted(self) -> bool:
+        """In URDF: does libsdformat drop it, as SDFormat does not have its type?"""
+        return self.is_urdf and self.type in UNCONVERTED
+
+    @property
+    def is_replaced(self) -> bool:
+        """In URDF: do ``<gazebo>`` blocks give Gazebo a joint or frame of its name?"""
+        extended = self.model.extended if self.model is not None else None
+        others = (*extended.children("joint"), *extended.children("frame")) if extended is not None else ()
+        return any(other.get("name") == self.name for other in others)
+
+    @property
+    def is_preserved(self) -> bool:
+        """Does a ``<gazebo>`` block make libsdformat keep it although it is fixed?"""
+        return any(block.is_on(name) for block in self.gazebo_blocks for name in PRESERVING)
+
+    @property
+    def is_lumped(self) -> bool:
+        """In URDF: does libsdformat merge its child into its parent?"""
+        return self.is_urdf and self.is_fixed and self.parent_name != "world" and not self.is_preserved
+
+    @property
+    def is_for_drake_only(self) -> bool:
+        """Is it a ``drake:joint``, which nobody but Drake sees?"""
+        return self.element.name == "drake:joint"
+
+    @property
+    def model(self) -> Model | None:
+        """The model that it is in; None in a world."""
+        return cast("Model", self.holder) if self.holder is not None and self.holder.kind == "model" else None
+
+    # Ends
+
+    @lazy
+    def parent_value(self) -> Value | None:
+        """The name of its parent with its place; None where there is no name."""
+        return self._end("parent")
+
+    @lazy
+    def child_value(self) -> Value | None:
+        """The name of its child with its place; None where there is no name."""
+        return self._end("child")
+
+    @property
+    def parent_name(self) -> str:
+        """The name of its parent as written."""
+        return self.parent_value.text if self.parent_value is not None else ""
+
+    @property
+    def child_name(self) -> str:
+        """The name of its child as written."""
+        return self.child_value.text if self.child_value is not None else ""
+
+    @lazy
+    def parent(self) -> Node | None:
+        """The link, frame, model or world that its parent names; None if that is nothing known."""
+        if not self.is_urdf and self.parent_name == "world":
+            return self.root.outermost(self)
+        return self._named(self.parent_name)
+
+    @lazy
+    def child(self) -> Node | None:
+        """The link, frame or model that its child names; None if that is nothing known."""
+        return self._named(self.child_name)
+
+    @property
+    def parent_link(self) -> Link | None:
+        """The link that its parent moves with; None for the world, and where that is unknown."""
+        return _link(self.parent)
+
+    @property
+    def child_link(self) -> Link | None:
+        """The link that its child moves with; None where that is unknown."""
+        return _link(self.child)
+
+    def _end(self, role: str) -> Value | None:
+        prefix = "drake:" if self.is_for_drake_only and not self.is_urdf else ""
+        element = self.find(prefix + role)
+        if element is None:
+            return None
+        value = element.attribute("link") if self.is_urdf else element.own_value
+        return value if value is not None and value.text else None
+
+    def _named(self, name: str) -> Node | None:
+        if self.is_urdf:
+            found = self.look_up(name) if name and not is_expression(name) else None
+            return found if found is not None and found.kind == "link" else None
+        found = self.look_up(name) if name else None
+        return None if found is self else found
 
     @property
     def attachment(self) -> Node | None:
-        value = self.attached_to_value
-        return self.look_up(value.text.strip()) if value is not None else (self.merged or self.scope)
+        return self.child
 
     @property
     def base_name(self) -> str:
-        value = self.attached_to_value
-        return self.written_base or (value.text.strip() if value is not None else "")
-
-
-class MergedFrame(Frame):
-    """The frame that represents a model which an include merged into another."""
-
-    __slots__ = ("model",)
-
-    def __init__(self, holder: Part, element: Element, model: Model) -> None:
-        super().__init__(holder, element, f"_merged__{model.name}__model__")
-        self.model = model
-
-    @lazy
-    def unmerged(self) -> Model:
-        """The model as it is by itself, not merged."""
-        from sdfcheck.robot.includes.included import included
-
-        model = included_model(cast("Scope", self.model.holder), included(self.document, self.element))
-        return self.model if model is None else model
+        return self.written_base or self.child_name
 
     @property
-    def attached_to_value(self) -> Value | None:
+    def urdf_base(self) -> tuple[Node | None, Element | None]:
+        return self.child, None
+
+    # Motion
+
+    @lazy
+    def axis(self) -> Axis:
+        """Its first axis; with defaults where none is written."""
+        return self._only("axis", Axis)
+
+    @lazy
+    def axis2(self) -> Axis:
+        """Its second axis, in SDFormat; with defaults where none is written."""
+        return self._only("axis2", Axis)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The axes that it moves about or along, given or not."""
+        count = self.axis_count
+        return (self.axis, self.axis2)[:count]
+
+    @property
+    def axis_count(self) -> int:
+        """The number of axes that its type has."""
+        if self.is_urdf:
+            return 0 if self.type in {"fixed", "floating"} else 1
+        return AXES.get(self.type, 0)
+
+    @property
+    def counterparts(self) -> tuple[Joint, ...]:
+        """The other joints of its model whose names differ only by the side: those of the other wheels or legs."""
+        key = without_sides(self.name)
+        if key == self.name or self.model is None:
+            return ()
+        joints = self.model.joints
+        return tuple(joint for joint in joints if joint is not self and without_sides(joint.name) == key)
+
+    @property
+    def mirror(self) -> Joint | None:
+        """The joint whose name says left where its own says right; None without one."""
+        name = mirrored(self.name)
+        return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
+
+    @property
+    def driver(self) -> Part | None:
+        """One that moves it on command: its joint in ``ros2_control``, a transmission, or a plugin of Gazebo."""
+        return self.model.drivers.get(self) if self.model is not None else None
+
+    @property
+    def moves(self) -> bool:
+        """Is it of a type of URDF that lets its child move?"""
+        return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"
+
+    @lazy
+    def at_rest(self) -> Origin | None:
+        """Its pose in its model with all joints at zero, in plain numbers; None where that is not known."""
+        try:
+            return _at_rest(self)
+        except DescriptionError:
+            return None
+
+    @property
+    def direction(self) -> Triple | None:
+        """The direction of its first axis in its model, of length 1, with all joints at zero; None if not known."""
+        xyz = self.axis.xyz
+        length = math.hypot(*xyz)
+        frame = self.axis.expressed_in
+        if len(xyz) != 3 or not 0 < length < math.inf or frame not in {"", MODEL_FRAME}:
+            return None
+        x, y, z = (number / length for number in xyz)
+        if frame:
+            return (x, y, z)
+        return None if self.at_rest is None else self.at_rest.turned((x, y, z))
+
+    screw_thread_pitch = number("screw_thread_pitch", 1.0, "Of a screw: m of travel per turn.")
+    thread_pitch = number(
+        "thread_pitch", 1.0, "Of a screw, as older versions write it: radians of turn per m, left-handed."
+    )
+    gearbox_ratio = number("gearbox_ratio", 1.0, "Of a gearbox: turns of the parent per turn of the child.")
+
+    @property
+    def sensors(self) -> tuple[Sensor, ...]:
+        """Its sensors; in URDF those of the ``<gazebo>`` blocks about it."""
+        blocks = (sensor for block in self.gazebo_blocks for sensor in block.sensors)
+        return (*(() if self.is_urdf else self._parts("sensor")), *blocks)
+
+    @property
+    def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
+        """The ``<gazebo>`` blocks about it, in URDF."""
+        model = self.model
+        if not self.is_urdf or model is None:
+            return ()
+        return tuple(model.blocks_by_reference.get(self.name, ()))
+
+
+def _link(node: Node | None) -> Link | None:
+    carrier = node.carrier if node is not None else None
+    return cast("Link", carrier) if carrier is not None and carrier.kind == "link" else None
+
+
+# The numbers of URDF, and the poses that it writes as ``origin``.
+#
+# Without numpy: lint merges links with it, and numpy takes longer to load than most files to lint.
+
+
+_DEEPEST = 200
+"""Joints above one that are followed."""
+
+
+def _at_rest(joint: Joint) -> Origin | None:
+    """Where a joint is in its model, all joints at zero; None where it hangs on nothing. Raises DescriptionError."""
+    if joint.child_link is None or joint.model is None:
+        return None
+    if not joint.is_urdf:
+        return _at_rest_in_sdf(joint)
+    parent = joint.parent_link
+    frame = Origin() if parent is None else joint.model.poses_at_rest.get(parent)
+    return None if frame is None else frame.followed_by(origin_in(joint.element))
+
+
+def _links_at_rest(model: Model) -> dict[Link, Origin]:
+    """The poses of the links of a robot of URDF in its root, all joints at zero; those that are known."""
+    tree = model.tree
+    found: dict[Link, Origin] = {}
+    waiting = [(root, Origin()) for root in tree.roots]
+    while waiting:
+        link, pose = waiting.pop()
+        found[link] = pose
+        for joint in tree.children.get(link, ()):
+            child = joint.child_link
+            if child is not None and tree.parents[child][0] is joint:
+                with suppress(DescriptionError):
+                    waiting.append((child, pose.followed_by(origin_in(joint.element))))
+    return found
+
+
+def _at_rest_in_sdf(joint: Joint) -> Origin | None:
+    """The same in SDFormat, as far as it is relative to what is in the same model."""
+    found, at = Origin(), cast("Node", joint)
+    for _ in range(_DEEPEST):
+        found = pose_in(at.pose_element).followed_by(found)
+        base = at.base
+        if base is None or base is joint.scope:
+            return found if base is not None or not at.base_name else None
+        if base.scope is not joint.scope or base.kind == "model":
+            return None
+        at = base
+    return None
+
+
+# How the links of one model hang together by its joints.
+
+
+class Tree:
+    """The links of a model and the joints between two different ones of them.
+
+    Links and joints are those of the model itself, in the order of the file; of several
+    links of one name the first counts. In URDF one whose name is yet to be expanded is left out.
+    """
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        self.links: dict[str, Link] = {}
+        """Name → link."""
+        is_name: Callable[[str], bool] = _is_name_in_urdf if model.is_urdf else bool
+        for link in model.links:
+            if is_name(link.name):
+                self.links.setdefault(link.name, link)
+        self.joints: tuple[Joint, ...] = model.joints
+        """All joints, those that tie nothing as well."""
+        self.children: dict[Link, list[Joint]] = {}
+        """Link → the joints that lead on from it."""
+        self.parents: dict[Link, list[Joint]] = {}
+        """Link → the joints that lead to it: more than one is a mistake, or closes a loop."""
+        for joint in self.joints:
+            if (ends := self.ends(joint)) is not None:
+                self.children.setdefault(ends[0], []).append(joint)
+                self.parents.setdefault(ends[1], []).append(joint)
+
+    def ends(self, joint: Joint) -> tuple[Link, Link] | None:
+        """The links at the ends of a joint, if they are two."""
+        parent, child = joint.parent_link, joint.child_link
+        return None if parent is None or child is None or parent is child else (parent, child)
+
+    @property
+    def roots(self) -> list[Link]:
+        """The links to which no joint leads, in the order of the file."""
+        return [link for link in self.links.values() if link not in self.parents]
+
+    def below(self, *links: Link) -> Iterator[Link]:
+        """The links and all links below them, each once, even where joints lead round in a circle."""
+        seen = set(links)
+        waiting = list(reversed(links))
+        while waiting:
+            at = waiting.pop()
+            yield at
+            for joint in reversed(self.children.get(at, [])):
+                child = joint.child_link
+                if child is not None and child not in seen:
+                    seen.add(child)
+                    waiting.append(child)
+
+    @lazy
+    def main_roots(self) -> list[Link]:
+        """The roots in the largest group: more than one where a link has several parents."""
+        main = set(self.groups[0]) if self.links else ()
+        return [link for link in self.roots if link in main]
+
+    def top(self, group: list[Link]) -> Link:
+        """The root of a group, or its first link where joints lead round in a circle."""
+        return next((link for link in group if link not in self.parents), group[0])
+
+    @lazy
+    def loose_groups(self) -> list[list[Link]]:
+        """The groups except the largest, unless mistakes in as many joints explain them."""
+        others = self.groups[1:]
+        if not others:
+            return []
+        broken = sum(self.ends(joint) is None for joint in self.joints) + len(self.loops())
+        if len(others) <= broken:
+            return []
+        meant = set(self._meant_children())
+        return [group for group in others if not meant.intersection(group)]
+
+    def _meant_children(self) -> Iterator[Link]:
+        """The links to which joints lead, or would if their ends were spelled right."""
+        from sdfcheck.formats.near_names import suggest_in
+
+        for joint in self.joints:
+            name = joint.child_name
+            if self.ends(joint) is not None or not name:
+                continue
+            meant = name if name in self.links else suggest_in(self.model.document, name, self.links)
+            if meant is not None:
+                yield self.links[meant]
+
+    @lazy
+    def groups(self) -> list[list[Link]]:
+        """The links, grouped by what joints tie together: the largest group first, then by place."""
+        tied: dict[Link, list[Link]] = {}
+        for joints in self.children.values():
+            for joint in joints:
+                if (ends := self.ends(joint)) is not None:
+                    tied.setdefault(ends[0], []).append(ends[1])
+                    tied.setdefault(ends[1], []).append(ends[0])
+        groups: list[list[Link]] = []
+        seen: set[Link] = set()
+        for link in self.links.values():
+            if link in seen:
+                continue
+            seen.add(link)
+            group = [link]
+            for member in group:
+                fresh = [other for other in dict.fromkeys(tied.get(member, ())) if other not in seen]
+                seen.update(fresh)
+                group += fresh
+            groups.append(group)
+        return sorted(groups, key=len, reverse=True)
+
+    def loops(self) -> list[list[Joint]]:
+        """Joints that lead round in a circle, going up from each link by the first joint that leads to it.
+
+        Each begins with its first joint in the order of the file.
+        """
+        return loops(self.parents, self.joints)
+
+
+def parents_in(joints: Iterable[Joint]) -> dict[Link, list[Joint]]:
+    """Link → the joints that carry it: those whose parent moves with something else, or is the world.
+
+    The links may be of several models. A gearbox carries nothing: it couples what others carry.
+    """
+    found: dict[Link, list[Joint]] = {}
+    for joint in joints:
+        child, parent = joint.child_link, joint.parent
+        if child is None or parent is None or joint.type == "gearbox":
+            continue
+        if (carrier := parent.carrier) is not None and carrier is not child:
+            found.setdefault(child, []).append(joint)
+    return found
+
+
+def loops(parents: Mapping[Link, Sequence[Joint]], joints: Iterable[Joint]) -> list[list[Joint]]:
+    """The same for any links and the joints that lead to them, given in the order of the file."""
+    found: list[list[Joint]] = []
+    done: set[Link] = set()
+    order = {joint: number for number, joint in enumerate(joints)}
+    for start in parents:
+        path: list[Joint] = []
+        on_path: dict[Link, int] = {}
+        link: Link | None = start
+        while link is not None and link not in done and link not in on_path and link in parents:
+            on_path[link] = len(path)
+            path.append(parents[link][0])
+            link = path[-1].parent_link
+        if link is not None and link in on_path:
+            ring = path[on_path[link] :][::-1]
+            first = min(range(len(ring)), key=lambda number: order[ring[number]])
+            found.append(ring[first:] + ring[:first])
+        done.update(on_path)
+    return found
+
+
+def _is_name_in_urdf(name: str) -> bool:
+    return bool(name) and not is_expression(name)
+
+
+# Lights.
+
+
+class Light(Part):
+    """A light of a world or link, or one that is a whole file."""
+
+    __slots__ = ()
+    kind = "light"
+
+    @property
+    def type(self) -> str:
+        """``point``, ``spot`` or ``directional``."""
+        return (self._text("type") or "point").strip()
+
+    @property
+    def direction(self) -> Vector:
+        """Where it shines to."""
+        return self._vector("direction", (0.0, 0.0, -1.0))
+
+    @property
+    def diffuse(self) -> Vector:
+        """Red, green, blue, alpha."""
+        return self._vector("diffuse", (1.0, 1.0, 1.0, 1.0))
+
+    @property
+    def specular(self) -> Vector:
+        """Red, green, blue, alpha."""
+        return self._vector("specular", (0.1, 0.1, 0.1, 1.0))
+
+    intensity = number("intensity", 1.0, "A factor.")
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in what it is in, or relative to what a reference names there; raises PoseError."""
+        element = self.element if self.is_given else None
+        return self.root.poses.of_part_in(element, self.within(Node), relative_to)
+
+
+# Sensors.
+
+
+SETTINGS = {
+    "camera": "camera",
+    "depth": "camera",
+    "depth_camera": "camera",
+    "multicamera": "camera",
+    "rgbd": "camera",
+    "rgbd_camera": "camera",
+    "thermal": "camera",
+    "thermal_camera": "camera",
+    "segmentation": "camera",
+    "segmentation_camera": "camera",
+    "boundingbox": "camera",
+    "boundingbox_camera": "camera",
+    "wideanglecamera": "camera",
+    "ray": "ray",
+    "gpu_ray": "ray",
+    "lidar": "lidar",
+    "gpu_lidar": "lidar",
+    "gps": "gps",
+    "navsat": "navsat",
+}
+"""Type → the element that holds its settings, where they are not called alike."""
+
+
+class Contact(Part):
+    """The collisions that a contact sensor, or a sound, listens to."""
+
+    __slots__ = ()
+    kind = "contact"
+
+    @property
+    def link(self) -> Link | None:
+        """The link whose collisions it names."""
+        holder = self.holder.holder if self.holder is not None else None
+        return holder if isinstance(holder, Link) else None
+
+    @property
+    def collision_names(self) -> tuple[Value, ...]:
+        """The names of collisions that it writes, with their places."""
+        return tuple(name.own_value for name in self.children("collision") if name.content)
+
+    @property
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The names that no collision of the link has. Scoped ones are spelled in ways that differ by simulator."""
+        if self.link is None:
+            return ()
+        names = tuple(
+            collision.attributes.get("name", "").strip() for collision in self.link.children("collision")
+        )
+        return tuple(
+            UnknownName(value, "collision", self.link.element, names)
+            for value in self.collision_names
+            if value.text.strip() not in (DEFAULT, *names) and "::" not in value.text
+        )
+
+
+class Sensor(Part):
+    """A sensor of a link or joint; in URDF files it is in a ``<gazebo>`` block."""
+
+    __slots__ = ()
+    kind = "sensor"
+
+    @property
+    def type(self) -> str:
+        """The type as written, without spaces around it."""
+        return (self._text("type") or "").strip()
+
+    @property
+    def type_value(self) -> Value | None:
+        """The type with its place."""
+        return self.attribute("type")
+
+    @property
+    def link(self) -> Link | None:
+        """The link that it is on; None if it is on a joint, or on nothing known."""
+        owner = self.owner
+        return owner if isinstance(owner, Link) else None
+
+    @property
+    def owner(self) -> Link | Joint | None:
+        """The link or joint that it is on; None for one in a ``<gazebo>`` block that names neither."""
+
+        found = self.holder.subject if isinstance(self.holder, GazeboBlock) else self.holder
+        return found if isinstance(found, Link | Joint) else None
+
+    update_rate = number("update_rate", 0.0, "Hz; 0: as often as the simulation steps.")
+
+    @property
+    def topic(self) -> str:
+        """The topic that it publishes on; empty where the simulator chooses one."""
+        topic = self.find("topic")
+        text = topic.content if topic is not None else ""
+        return "" if text == DEFAULT else text
+
+    @property
+    def always_on(self) -> bool:
+        """Does it run whether or not somebody listens?"""
+        element = self.find("always_on")
+        return element is not None and is_true(element.content)
+
+    @property
+    def settings_names(self) -> tuple[str, ...]:
+        """The elements that may configure a sensor of its type; empty for a type that is not known."""
+        from sdfcheck.formats.sdf.sensors import SETTINGS as NAMES
+
+        return NAMES.get(self.type, ())
+
+    @property
+    def given_settings(self) -> tuple[Element, ...]:
+        """Its elements that configure sensors, of whatever type."""
+        from sdfcheck.formats.sdf.sensors import ALL_SETTINGS
+
+        return tuple(child for child in self.children() if child.name in ALL_SETTINGS)
+
+    @property
+    def settings(self) -> Setting | None:
+        """The part of its type: ``camera``, ``lidar``, ``imu`` …; None without one."""
+        names = (SETTINGS.get(self.type, self.type), "lidar", "ray", "camera", "gps", "navsat")
+        element = next((found for name in names if name and (found := self.find(name)) is not None), None)
+        part = None if element is None else self.part(element)
+        return part if isinstance(part, Setting) else None
+
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
+
+    def pose(self, relative_to: str | None = None) -> Pose:
+        """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""
+        return self.root.poses.of_part_in(self.element if self.is_given else None, self.owner, relative_to)
+
+
+# Names of joints and links that the parameters of plugins write.
+#
+# Systems look among the joints and links directly in their model, and know no ``::`` but for some.
+
+
+_TEMPLATE = pattern(r"[${}%@]")
+
+
+_USUAL = {
+    "bodyName": "link",
+    "linkName": "link",
+    "link_name": "link",
+    "jointName": "joint",
+    "joint_name": "joint",
+}
+"""Parameter of a plugin that is not known → the kind of thing that it names."""
+
+
+_ALWAYS = frozenset({"", "world", "canonical", "__default__"})
+
+
+class PluginReference(NamedTuple):
+    """A name that a parameter writes, of a joint or link as ``kind`` says; ``node`` is what has the name."""
+
+    value: Value
+    kind: str
+    model: Model
+    node: Node | None
+
+    @property
+    def joint(self) -> Joint | None:
+        """The joint that has the name."""
+        return cast("Joint", self.node) if self.node is not None and self.node.kind == "joint" else None
+
+    @property
+    def is_unresolved(self) -> bool:
+        """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?"""
+        return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
+
+
+def references(plugin: Plugin, namings: Iterable[Naming]) -> Iterator[PluginReference]:
+    """The names of joints and links that are written; what may be in a file that could not be read is left out."""
+    model = _model(plugin)
+    if model is None or not model.is_complete or not any(n.kind == "link" for n in model.nodes.values()):
+        return
+    for naming in namings:
+        for value in _written(plugin.element, naming):
+            name = value.text.strip()
+            if name in _ALWAYS or _TEMPLATE.search(name) or (naming.is_list and "," in name):
+                continue
+            name = name.removeprefix(f"{model.name}::")
+            if "::" in name and (not naming.is_scoped or model.may_hold(name)):
+                continue
+            yield PluginReference(value, naming.kind, model, model.resolve(name))
+
+
+def _model(plugin: Plugin) -> Model | None:
+    """The model that a plugin is in: in URDF the robot with what Gazebo adds."""
+    holder = plugin.holder
+    if holder is not None and holder.kind == "gazebo":
+        found = plugin.root.scope_of(plugin.element)
+        return found if isinstance(found, Model) else None
+    return holder if isinstance(holder, Model) else None
+
+
+def _written(element: Element, naming: Naming) -> Iterator[Value]:
+    path, _, attribute = naming.path.partition("@")
+    found = [element]
+    for step in path.split("/"):
+        found = [child for parent in found for child in parent.children(step)]
+    for child in found:
+        value = child.attribute(attribute) if attribute else child.own_value
+        if value is not None:
+            yield value
+
+
+def _is_lumped(node: Node) -> bool:
+    """Does libsdformat merge a joint away? Names of links it rewrites in some parameters."""
+
+    return isinstance(node, Joint) and node.is_lumped
+
+
+# Plugins.
+
+
+class Plugin(Part):
+    """A plugin, of a world, model, sensor, visual or ``<gazebo>`` block; its parameters are its own."""
+
+    __slots__ = ()
+    kind = "plugin"
+
+    @property
+    def filename(self) -> str:
+        """The library as written, without spaces around it."""
+        return (self._text("filename") or "").strip()
+
+    @property
+    def filename_value(self) -> Value | None:
+        """The library with its place."""
+        return self.attribute("filename")
+
+    @property
+    def parameters(self) -> Iterator[Element]:
+        """Its parameters."""
+        return self.children()
+
+    @lazy
+    def known(self) -> PluginFacts | None:
+        """The facts about its library, in the generation that shares most parameters with it."""
+        if not self.filename:
+            return None
+        from sdfcheck.formats.plugins import known
+
+        found = known(self.filename)
+        given = {parameter.name for parameter in self.parameters} if len(found) > 1 else set()
+        return max(found, key=lambda facts: len(given & facts.parameters), default=None)
+
+    @lazy
+    def generation(self) -> str:
+        """The generation that loads it, by file and parameters: ``gz``, ``ros1``, ``ros2``, ``classic``; or empty."""
+        from sdfcheck.formats.plugins import known
+
+        reads = {facts.generation: facts.parameters for facts in known(self.filename)}
+        if not reads or not all(name.startswith("gazebo_ros") for name in reads):
+            return "gz" if reads and reads.keys() <= {"gz-sim", "gz_ros2_control"} else ""
+        if reads.keys() == {"gazebo_ros1"}:
+            return "ros1"
+        older = reads.get("gazebo_ros1")
+        newer = reads.get("gazebo_ros2", frozenset()) - older if older is not None else frozenset()
+        is_newer = "gazebo_ros2_control" in reads or self.has("ros")
+        return "ros2" if is_newer or any(each.name in newer for each in self.parameters) else "classic"
+
+    @lazy
+    def references(self) -> tuple[PluginReference, ...]:
+        """The parameters that name a joint or link of its model."""
+        facts = self.known
+        namings = facts.namings if facts is not None else ()
+        if facts is None or ("bodyName" in facts.required and not namings):
+            if not any(child.name in _USUAL for child in self.parameters):
+                return ()
+            from sdfcheck.formats.plugins import Naming
+
+            namings = tuple(Naming(name, kind, True, False) for name, kind in _USUAL.items())
+        return tuple(references(self, namings)) if namings else ()
+
+    @property
+    def unresolved(self) -> tuple[PluginReference, ...]:
+        """The parameters that name a joint or link which its model does not have."""
+        return tuple(reference for reference in self.references if reference.is_unresolved)
+
+    @property
+    def siblings(self) -> tuple[Plugin, ...]:
+        """The plugins beside it, itself included; those of all blocks about the robot in URDF."""
+        if self.holder is None:
+            return (self,)
+        beside = (child for child in self.root.elements.get("plugin", ()) if self._is_beside(child))
+        return tuple(part for child in beside if isinstance(part := self.root.part_of(child), Plugin))
+
+    def _is_beside(self, other: Element) -> bool:
+        parent, own = other.parent, self.element.parent
+        if parent is own or parent is None or own is None:
+            return parent is own
+        is_block = parent.name == own.name == "gazebo"
+        return is_block and parent.attributes.get("reference", "") == own.attributes.get("reference", "")
+
+    @lazy
+    def drive(self) -> Drive | None:
+        """The drive that it makes, where it names the wheels on each side, and they are known."""
+        name = self.filename.lower()
+        if "drive" not in name and "steering" not in name:
+            return None
+
+        return drive_of(self)
+
+    @lazy
+    def meant_file(self) -> str | None:
+        """The file of a system of Gazebo, or of a part of its window, that was probably meant by one that is not."""
+        name = self.filename
+        if self.known is not None or "$" in name:
+            return None
+        from sdfcheck.formats.plugins import gui_files, known_files, stem
+
+        if "gz-sim" in name or "ignition-gazebo" in name:
+            return self.nearest(stem(name), known_files())
+        parent = self.element.parent
+        if name and parent is not None and parent.name == "gui":
+            return self.nearest(stem(name), gui_files())
         return None
 
     @lazy
-    def attachment(self) -> Node | None:
-        """The canonical link of the model, which may itself have come by a merge."""
-        node = self.unmerged.attachment
-        return None if node is None else self.scope.resolve(node.name)
+    def misspelled_parameters(self) -> tuple[tuple[Element, str], ...]:
+        """The parameters that it does not read, with those that they were probably meant to be."""
+        facts = self.known
+        if facts is None or not facts.parameters:
+            return ()
+        given = [parameter for parameter in self.parameters if ":" not in parameter.name]
+        names = {parameter.name for parameter in given}
+        unread = [parameter for parameter in given if not facts.reads(parameter.name)]
+        free = [name for name in facts.parameters if name not in names]
+        from sdfcheck.formats.near_names import without_a_word
+
+        found = (
+            (
+                each,
+                facts.in_other_case(each.name)
+                or self.nearest(each.name, free)
+                or without_a_word(each.name, free),
+            )
+            for each in unread
+        )
+        return tuple((each, meant) for each, meant in found if meant is not None)
+
+    @lazy
+    def missing_parameters(self) -> tuple[str, ...]:
+        """The parameters without which it does not run, and that are not there, not even misspelled."""
+        facts = self.known
+        if facts is None or not facts.required or self.is_template or self._is_of_several_generations:
+            return ()
+        meant = {name for _, name in self.misspelled_parameters}
+        return tuple(name for name in sorted(facts.required - meant) if self.lacks(name))
+
+    @lazy
+    def repeated_parameters(self) -> tuple[tuple[Element, Element], ...]:
+        """The parameters of which it reads the first only, and that are given again with another value."""
+        facts = self.known
+        if facts is None:
+            return ()
+        first: dict[str, Element] = {}
+        found = []
+        for parameter in self.parameters:
+            earlier = first.setdefault(parameter.name, parameter)
+            is_one = parameter.name in facts.parameters - facts.repeatable and not parameter.nodes
+            if earlier is not parameter and is_one and earlier.content != parameter.content:
+                found.append((earlier, parameter))
+        return tuple(found)
 
     @property
-    def pose_element(self) -> Element | None:
-        return self.model.pose_element
+    def _is_of_several_generations(self) -> bool:
+        """Do its parameters fit several generations of its library equally well?"""
+        from sdfcheck.formats.plugins import known
+
+        given = {parameter.name for parameter in self.parameters}
+        shared = sorted(len(given & facts.parameters) for facts in known(self.filename))
+        return len(shared) > 1 and shared[-1] == shared[-2]
 
     @property
-    def base_name(self) -> str:
-        return self.written_base
+    def is_template(self) -> bool:
+        """Will something else write more of it, such as xacro?"""
+        return any("xacro:" in child.name or "$" in child.content for child in self.parameters)
 
 
-# The model that an include brings.
+# Differential drives: what the parameters of a plugin say, and where the wheels are.
+
+
+_LEFT = ("left_joint", "leftJoint", "front_left_joint", "back_left_joint")
+
+
+_RIGHT = ("right_joint", "rightJoint", "front_right_joint", "back_right_joint")
+
+
+_SEPARATION = ("wheel_separation", "wheelSeparation")
+
+
+_RADIUS = ("wheel_radius", "wheelRadius")
+
+
+_BASE = ("wheel_base", "wheelbase")
+
+
+_DIAMETER = ("wheel_diameter", "wheelDiameter")
+
+
+class Wheel(NamedTuple):
+    """A wheel of a drive, in the frame of the model."""
+
+    joint: Joint
+    position: tuple[float, ...]
+    axis: tuple[float, ...]
+    """Of length 1."""
+    radius: float
+    """m, of its round shape; nan where there is none."""
+
+
+class Drive(NamedTuple):
+    """A drive with one wheel on each side, or with several whose distance along the robot it takes as well."""
+
+    left: Wheel
+    right: Wheel
+    left_name: Element
+    """The parameter that names the joint."""
+    right_name: Element
+    separation: Element | None
+    radius: Element | None
+    """The parameter of the radius or the diameter."""
+    base: Element | None = None
+    """The parameter of the distance of the axles."""
+    rear: Wheel | None = None
+    """The other wheel on the left."""
+
+    @property
+    def distance(self) -> float:
+        """How far to the left of the right wheel the left one is, along its axis (m)."""
+        pairs = zip(self.left.position, self.right.position, self.left.axis, strict=True)
+        return sum((left - right) * along for left, right, along in pairs)
+
+    @property
+    def axle_distance(self) -> float:
+        """How far the wheels on the left are apart, across their axis (m); nan where there is one."""
+        if self.rear is None:
+            return math.nan
+        apart = [a - b for a, b in zip(self.left.position, self.rear.position, strict=True)]
+        along = sum(step * axis for step, axis in zip(apart, self.left.axis, strict=True))
+        return math.sqrt(max(0.0, math.hypot(*apart) ** 2 - along**2))
+
+    @property
+    def written_radius(self) -> float:
+        """The radius that the plugin takes (m); nan if none is written."""
+        number = self.radius.own_value.number if self.radius is not None else math.nan
+        return number / 2 if self.radius is not None and self.radius.name in _DIAMETER else number
+
+
+def drive_of(plugin: Plugin) -> Drive | None:
+    """The drive that a plugin makes; None for other plugins, more wheels a side, and what is not known."""
+    model = _driven_model(plugin)
+    given: dict[str, list[Element]] = {}
+    for parameter in plugin.parameters:
+        given.setdefault(parameter.name, []).append(parameter)
+    lefts, rights = ([each for name in names for each in given.get(name, ())] for names in (_LEFT, _RIGHT))
+    base = _only(given, _BASE)
+    if model is None or not 0 < len(lefts) == len(rights) <= (1 if base is None else 2):
+        return None
+    wheels = [_wheel(model, name.content.strip()) for name in (lefts[0], rights[0], *lefts[1:])]
+    first, second, *rear = wheels
+    if first is None or second is None or first.joint is second.joint:
+        return None
+    radius = _only(given, (*_RADIUS, *_DIAMETER))
+    separation = _only(given, _SEPARATION)
+    return Drive(first, second, lefts[0], rights[0], separation, radius, base, rear[0] if rear else None)
+
+
+def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:
+    found = [element for name in names for element in given.get(name, ())]
+    return found[0] if len(found) == 1 else None
+
+
+def _driven_model(plugin: Plugin) -> Model | None:
+    scope = plugin.root.scope_of(plugin.element)
+    return scope if isinstance(scope, Model) else None
+
+
+def _wheel(model: Model, name: str) -> Wheel | None:
+    joint = model.joints_by_name.get(name)
+    if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
+        return None
+    return Wheel(joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
+
+
+def wheel_radius(joint: Joint) -> float:
+    """The radius (m) of the one round shape of the link that a joint turns; nan where it has another number of them."""
+    link = joint.child_link
+    shapes = (link.collisions or link.visuals) if link is not None else ()
+    geometry = shapes[0].geometry if len(shapes) == 1 else None
+    if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
+        return math.nan
+    return float(geometry.radius)
+
+
+# Actuation of the joints of a URDF robot.
+
+
+class JointNames(Part):
+    """Something that names joints."""
+
+    __slots__ = ()
+
+    @property
+    def model(self) -> Model:
+        """The robot."""
+        holder = self.holder
+        while holder is not None and holder.kind != "model":
+            holder = holder.holder
+        return cast("Model", holder)
+
+    @property
+    def joint_elements(self) -> tuple[Element, ...]:
+        """Its ``joint`` elements."""
+        return tuple(self.children("joint"))
+
+    @property
+    def joint_names(self) -> tuple[Value, ...]:
+        """The names of joints that it writes, with their places."""
+        values = (joint.attribute("name") for joint in self.joint_elements)
+        return tuple(value for value in values if value is not None and value.text)
+
+    @property
+    def unresolved(self) -> tuple[Value, ...]:
+        """The names that no joint of the robot has; what is yet to be expanded is left out."""
+        known = self.model.driven
+        return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
+
+
+class Transmission(JointNames):
+    """A transmission between joints and actuators."""
+
+    __slots__ = ()
+    kind = "transmission"
+
+    @property
+    def type_value(self) -> Value | None:
+        """Its type with its place: a child element, or an attribute."""
+        child = self.find("type")
+        return child.own_value if child is not None else self.attribute("type")
+
+    @property
+    def actuators(self) -> tuple[Element, ...]:
+        """Its ``actuator`` elements."""
+        return tuple(self.children("actuator"))
+
+    @property
+    def reductions(self) -> tuple[Value, ...]:
+        """The values of ``mechanicalReduction`` in it and its actuators, with the places."""
+        holders = (self.element, *self.actuators)
+        return tuple(
+            found.own_value for holder in holders for found in holder.children("mechanicalReduction")
+        )
+
+
+# Joints, sensors and other signals of ``<ros2_control>`` blocks, and their interfaces.
+
+
+LIMITED = frozenset(("position", "velocity", "effort", "acceleration", "jerk"))
+"""The interfaces of joints whose minimum and maximum are limits."""
+
+
+class ControlComponent(Part):
+    """A joint, a sensor or other signals (``gpio``) of a ``ros2_control`` block, with their interfaces."""
+
+    __slots__ = ()
+    kind = "component"
+
+    @property
+    def what(self) -> str:
+        """``joint``, ``sensor`` or ``gpio``."""
+        return self.element.name
+
+    @property
+    def block(self) -> Ros2Control:
+        """The block that it is in."""
+        return cast("Ros2Control", self.holder)
+
+    @property
+    def model(self) -> Model:
+        """The robot."""
+        return self.block.model
+
+    @lazy
+    def joint(self) -> Joint | None:
+        """The joint of the robot that it drives or reads; None without one."""
+        return self.model.joints_by_name.get(self.name) if self.what == "joint" and self.name else None
+
+    @lazy
+    def sensor(self) -> Sensor | None:
+        """The simulated sensor of its name."""
+        if self.what != "sensor" or not self.name:
+            return None
+        blocks = self.model.gazebo_blocks
+        return next((s for block in blocks for s in block.sensors if s.name == self.name), None)
+
+    @lazy
+    def interfaces(self) -> tuple[ControlInterface, ...]:
+        """Its interfaces, in the order of the file."""
+        names = ("command_interface", "state_interface")
+        return tuple(
+            cast("ControlInterface", self.part(child)) for child in self.children() if child.name in names
+        )
+
+    @property
+    def commands(self) -> tuple[ControlInterface, ...]:
+        """The interfaces that take commands."""
+        return tuple(each for each in self.interfaces if each.is_command)
+
+    @property
+    def earlier(self) -> ControlComponent | None:
+        """The joint before it in the block that has its name."""
+        if self.what != "joint" or not self.name or is_expression(self.name):
+            return None
+        first = self.block.joints[self.name]
+        return None if first is self else first
+
+    @property
+    def rivals(self) -> Iterator[tuple[ControlInterface, ControlInterface]]:
+        """Its interfaces that a joint of the same name in an earlier block has, too, with those."""
+        named = self.block.model.control_joints.get(self.name, ()) if not is_expression(self.name) else ()
+        before = takewhile(lambda joint: joint.block is not self.block, named)
+        others = [each for joint in before for each in joint.interfaces]
+        for own in self.interfaces if others else ():
+            for other in others:
+                if own.is_readable and own.name == other.name and own.is_command == other.is_command:
+                    yield own, other
+                    break
+
+    @property
+    def mimic_parameters(self) -> tuple[Element, ...]:
+        """The parameters that say which joint it follows, as releases before jazzy read them."""
+        return tuple(each for each in self.children("param") if each.attributes.get("name") == "mimic")
+
+    @property
+    def mimic_value(self) -> Value | None:
+        """Whether it follows another joint, where that is written here."""
+        return self.attribute("mimic")
+
+    @property
+    def mimic(self) -> Mimic | None:
+        """How it follows another joint, in the robot and not switched off here."""
+        value = self.mimic_value
+        if self.joint is None or (value is not None and value.text.strip().lower() == "false"):
+            return None
+        return self.joint.axis.mimic
+
+
+class ControlInterface(Part):
+    """An interface of a joint, sensor or other signals: one number to command or to read."""
+
+    __slots__ = ()
+    kind = "interface"
+
+    @property
+    def is_command(self) -> bool:
+        """Does it take commands?"""
+        return bool(self.element.name == "command_interface")
+
+    @property
+    def component(self) -> ControlComponent:
+        """Its holder."""
+        return cast("ControlComponent", self.holder)
+
+    @property
+    def is_readable(self) -> bool:
+        """Has it a name, and not one that is yet to be expanded?"""
+        return bool(self.name) and not is_expression(self.name)
+
+    @property
+    def is_limited(self) -> bool:
+        """Do ``min`` and ``max`` limit it?"""
+        return self.is_command and self.component.what == "joint" and self.name in LIMITED
+
+    @property
+    def twin(self) -> ControlInterface | None:
+        """The interface of the same kind and name before it in its component."""
+        if not self.is_readable:
+            return None
+        for other in self.component.interfaces:
+            if other is self:
+                return None
+            if other.name == self.name and other.is_command == self.is_command:
+                return other
+        return None
+
+    @lazy
+    def minimum(self) -> Number:
+        """The lowest value, in the unit of the interface; -inf where none is given."""
+        return self._parameter("min", -math.inf)
+
+    @lazy
+    def maximum(self) -> Number:
+        """The highest value, in the unit of the interface; inf where none is given."""
+        return self._parameter("max", math.inf)
+
+    @lazy
+    def initial(self) -> Number:
+        """The value to begin with; nan where none is given."""
+        return self._parameter("initial_value", math.nan)
+
+    @property
+    def data_type(self) -> str:
+        """The type of its values: ``double``, ``bool`` …"""
+        return (self._text("data_type") or "double").strip()
+
+    @property
+    def malformed(self) -> tuple[tuple[str, Number], ...]:
+        """Its minimum, maximum and initial value, as far as they are not numbers and should be."""
+        found = [("min", self.minimum), ("max", self.maximum)] if self.is_limited else []
+        if not self.is_command and self.data_type != "bool":
+            found.append(("initial_value", self.initial))
+        return tuple(
+            (name, each)
+            for name, each in found
+            if each.text and not is_expression(each.text) and not _is_number(each)
+        )
+
+    @property
+    def widened(self) -> Iterator[tuple[str, Number, Number]]:
+        """Its minimum and maximum, as far as a stricter limit of the joint counts, with that limit."""
+        joint = self.component.joint
+        if joint is None or not self.is_limited:
+            return
+        limit = joint.axis.limit
+        if self.name == "position" and limit.is_given and joint.type in {"revolute", "prismatic"}:
+            if self.minimum.is_given and self.minimum.number < limit.lower.number and limit.lower.is_given:
+                yield "min", self.minimum, limit.lower
+            if self.maximum.is_given and self.maximum.number > limit.upper.number and limit.upper.is_given:
+                yield "max", self.maximum, limit.upper
+        elif self.name in {"velocity", "effort"}:
+            bound = limit.velocity if self.name == "velocity" else limit.effort
+            for name, number in (("min", self.minimum), ("max", self.maximum)):
+                if bound.is_given and number.is_given and abs(number.number) > abs(bound.number):
+                    yield name, number, bound
+
+    def parameter(self, name: str) -> Element | None:
+        """The last ``param`` of a name: it counts."""
+        found = [each for each in self.children("param") if each.attributes.get("name", "").strip() == name]
+        return found[-1] if found else None
+
+    def _parameter(self, name: str, default: float) -> Number:
+        element = self.parameter(name)
+        if element is None:
+            return Number.of(None, self.element, default)
+        return Number.of(element.own_value, element, default)
+
+
+def _is_number(number: Number) -> bool:
+    """Is a text exactly one finite number?"""
+    return math.isfinite(number.number) and "_" not in number.text
+
+
+# ``<ros2_control>`` blocks: the hardware behind the joints, sensors and other signals of a robot.
+#
+# Source: the component parser of ros2_control, humble to rolling.
+
+
+COMPONENTS = frozenset(("joint", "sensor", "gpio"))
+
+
+GAZEBO_SYSTEMS = frozenset(
+    ("gazebo_ros2_control/GazeboSystem", "gz_ros2_control/GazeboSimSystem", "ign_ros2_control/IgnitionSystem")
+)
+"""The plugins whose hardware is a joint of a simulator."""
+
+
+_COUNTS = frozenset(("size", "thread_priority"))
+"""The attributes that are whole numbers from 1 on."""
+
+
+class Ros2Control(JointNames):
+    """A ``ros2_control`` block: one piece of hardware."""
+
+    __slots__ = ()
+    kind = "ros2_control"
+
+    @property
+    def type(self) -> str:
+        """``system``, ``actuator`` or ``sensor``."""
+        return self._text("type") or ""
+
+    @property
+    def type_value(self) -> Value | None:
+        """Its type with its place."""
+        return self.attribute("type")
+
+    @property
+    def hardware(self) -> Element | None:
+        """The element ``hardware``."""
+        return self.find("hardware")
+
+    @property
+    def plugin_value(self) -> Value | None:
+        """The name of the plugin that drives the hardware, with its place; None where no element holds one."""
+        element = self.hardware.find("plugin") if self.hardware is not None else None
+        return None if element is None else element.own_value
+
+    @property
+    def is_simulated(self) -> bool:
+        """Is its hardware a simulator's?"""
+        plugin = self.plugin_value
+        return plugin is not None and plugin.text in GAZEBO_SYSTEMS
+
+    @lazy
+    def components(self) -> tuple[ControlComponent, ...]:
+        """Its joints, sensors and other signals, in the order of the file."""
+        return tuple(
+            cast("ControlComponent", self.part(child))
+            for child in self.children()
+            if child.name in COMPONENTS
+        )
+
+    @lazy
+    def joints(self) -> dict[str, ControlComponent]:
+        """Name → its joint, of several the first."""
+        found: dict[str, ControlComponent] = {}
+        for component in self.components:
+            if component.what == "joint":
+                found.setdefault(component.name, component)
+        return found
+
+    @lazy
+    def known(self) -> tuple[tuple[Element, Definition], ...]:
+        """The elements that ros2_control reads, itself first, each with what is allowed in it."""
+        from sdfcheck.formats.urdf.schema import control
+
+        return tuple(control().known(self.element))
+
+    @property
+    def lacking(self) -> Iterator[tuple[Element, str]]:
+        """The attributes that its elements need and do not have."""
+        for element, definition in self.known:
+            for name in definition.required_attributes:
+                if element.attribute(name) is None:
+                    yield element, name
+
+    @property
+    def unsound(self) -> Iterator[tuple[Value, AttributeDefinition]]:
+        """The attributes that are not of their kind, each with what it should be."""
+        for element, definition in self.known:
+            for name, attribute in definition.attributes.items():
+                value = element.attribute(name)
+                if value is not None and not _is_sound(value, attribute):
+                    yield value, attribute
+
+    @property
+    def foreign(self) -> Iterator[tuple[Element, Element, Definition]]:
+        """The elements that ros2_control does not know, each with the one that it is in."""
+        for element, definition in self.known:
+            for child in element.children():
+                if child.name not in definition.children:
+                    yield child, element, definition
+
+    @property
+    def without_plugin(self) -> Iterator[Element]:
+        """Itself if it has no hardware, and its hardware and transmissions without a plugin."""
+        if self.hardware is None:
+            yield self.element
+        for holder in self.children():
+            if holder.name in {"hardware", "transmission"}:
+                plugin = holder.find("plugin")
+                if plugin is None or not plugin.content:
+                    yield holder if plugin is None else plugin
+
+    transmissions: lazy[tuple[ControlTransmission, ...]] = parts("transmission", "Its transmissions.")
+
+    @property
+    def first_of_name(self) -> Ros2Control | None:
+        """The block before it that has its name."""
+        if not self.name or is_expression(self.name):
+            return None
+        first = self.model.control_by_name.get(self.name, self)
+        return None if first is self else first
+
+
+class ControlTransmission(JointNames):
+    """A transmission in a ``ros2_control`` block: its plugin is the hardware's business."""
+
+    __slots__ = ()
+    kind = "transmission"
+
+    @property
+    def block(self) -> Ros2Control:
+        """The block that it is in."""
+        return cast("Ros2Control", self.holder)
+
+    @property
+    def model(self) -> Model:
+        return self.block.model
+
+    @property
+    def unresolved(self) -> tuple[Value, ...]:
+        """The names that no joint of the block has."""
+        known = self.block.joints
+        return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
+
+
+def _is_sound(value: Value, attribute: AttributeDefinition) -> bool:
+    """Is a value of the kind that ros2_control expects, or made by an expression?"""
+    text = value.text.strip()
+    if is_expression(text) or attribute.name == "type":
+        return True
+    if attribute.type == "bool":
+        return text.lower() in {"true", "false"}
+    if attribute.listed:
+        return text in attribute.listed
+    return attribute.name not in _COUNTS or (text.isdecimal() and int(text) > 0)
+
+
+# How a world is simulated: physics profiles, states, actors, grippers.
+
+
+class Physics(Part):
+    """A physics profile of a world."""
+
+    __slots__ = ()
+    kind = "physics"
+
+    @property
+    def type(self) -> str:
+        """The engine: ``ode``, ``bullet``, ``dart`` …"""
+        return (self._text("type") or "").strip()
+
+    @property
+    def is_default(self) -> bool:
+        """Is it the profile that is used?"""
+        return is_true(self._text("default") or "")
+
+    max_step_size = number("max_step_size", 0.001, "s.")
+    real_time_factor = number("real_time_factor", 1.0, "Simulated seconds per second.")
+
+
+class State(Part):
+    """The state to which a world is restored."""
+
+    __slots__ = ()
+    kind = "state"
+
+    @property
+    def world(self) -> Scope | None:
+        """The world that it is a state of."""
+        return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
+
+    @property
+    def world_value(self) -> Value | None:
+        """The name of the world that it writes, with its place."""
+        return self.attribute("world_name")
+
+    @lazy
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The name of a world that is another one, or else the names that no model of the world has."""
+        world, value = self.world, self.world_value
+        if world is None or not world.is_complete:
+            return ()
+        if value is not None and value.text.strip() not in {"", DEFAULT, world.name}:
+            return (UnknownName(value, "world", self.root.element, (world.name,)),)
+        models = tuple(name for name, node in world.nodes.items() if node.kind == "model")
+        states = (state for kind in ("model", "model_state") for state in self.children(kind))
+        names = (state.attribute("name") for state in states)
+        return tuple(
+            UnknownName(name, "model", world.element, models)
+            for name in names
+            if name is not None and "::" not in name.text and name.text not in models
+        )
+
+
+class Actor(Part):
+    """A figure that moves along a trajectory."""
+
+    __slots__ = ()
+    kind = "actor"
+
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "Its plugins.")
+
+    @property
+    def animations(self) -> tuple[Element, ...]:
+        """Its animations."""
+        return tuple(self.children("animation"))
+
+    @property
+    def trajectories(self) -> tuple[Element, ...]:
+        """The trajectories of its script."""
+        script = self.find("script")
+        return tuple(script.children("trajectory")) if script is not None else ()
+
+
+class Gripper(Part):
+    """A gripper of a model."""
+
+    __slots__ = ()
+    kind = "gripper"
+
+    @property
+    def link_names(self) -> tuple[Value, ...]:
+        """The names of links that it writes, with their places."""
+        names = (name for kind in ("gripper_link", "palm_link") for name in self.children(kind))
+        return tuple(name.own_value for name in names if name.content)
+
+    @lazy
+    def unresolved(self) -> tuple[UnknownName, ...]:
+        """The names that are not those of links."""
+        scope = self.holder
+        if not isinstance(scope, Scope):
+            return ()
+        names = [value for value in self.link_names if not _is_link(scope, value.text)]
+        links = tuple(link.name for link in scope.links) if names else ()
+        return tuple(UnknownName(value, "link", scope.element, links) for value in names)
+
+
+def _is_link(scope: Scope, name: str) -> bool:
+    """Is it the name of a link, or may it be one? An element with an empty part is reported as that."""
+    if name == DEFAULT or "" in name.split("::"):
+        return True
+    found = scope.resolve(name)
+    return scope.may_hold(name) if found is None else found.kind == "link"
+
+
+# Includes that multiply.
 
 
 MOST_MODELS = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
+
+
 DEEPEST = 50
-
-
-def included_model(source: Scope, found: Included) -> Model | None:
-    """The model that an include brings; without content where the file cannot be read or leads in a ring.
-
-    None where not even its name is known.
-    """
-    chain, inside = source.chain, found.document
-    root = source.root
-    is_readable = (
-        found.model is not None and inside is not None and inside not in chain and len(chain) <= DEEPEST
-    )
-    if is_readable:
-        root.included += 1
-        is_readable = root.included <= MOST_MODELS
-    if found.name is None and not is_readable:
-        return None
-    made: Any = class_named("Model")
-    model: Model = made(source, found.model if is_readable else found.include, found.name or "")
-    model.registry = {}
-    model.include, model.is_readable = found.include, is_readable
-    if is_readable and inside is not None:
-        model.chain = (*chain, inside)
-    return model
-
-
-# The name that was probably meant by one that is not defined.
-
-
-class Guess(NamedTuple):
-    """``meant``: a near miss, or the scoped name of what exists in a nested model.
-
-    ``outside``: what an enclosing world or model has by that name, where no reference from
-    here can reach it.
-    """
-
-    meant: str | None = None
-    outside: Element | None = None
-
-
-class _Reachable:
-    """The names that each scope of a document can use, by their last parts."""
-
-    __slots__ = ("_by_scope",)
-
-    def __init__(self, document: Document) -> None:
-        self._by_scope: dict[Scope, dict[str, list[str]]] = {}
-
-    def names(self, scope: Scope) -> dict[str, list[str]]:
-        if scope not in self._by_scope:
-            reachable: defaultdict[str, list[str]] = defaultdict(list)
-            for name in scope.names():
-                reachable[_last(name)].append(name)
-            self._by_scope[scope] = reachable
-        return self._by_scope[scope]
-
-
-def guess(scope: Scope, name: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
-    """The intended name of a reference in a scope: none of ``but``, and of ``kind`` if one is given."""
-
-    def fits(candidate: str) -> bool:
-        if candidate in but:
-            return False
-        return not kind or ((node := scope.resolve(candidate)) is not None and node.kind == kind)
-
-    document = scope.root.document
-    reachable = document.view(_Reachable).names(scope)
-    deeper = [n for n in reachable.get(_last(name), ()) if n.endswith(f"::{name}") and fits(n)]
-    if len(deeper) == 1:
-        return Guess(deeper[0])
-    if (outside := _outside(scope, name)) is not None:
-        return Guess(None, outside.place)
-    from sdfcheck.formats.near_names import nearest
-
-    candidates = (n for names in reachable.values() for n in names if fits(n))
-    return Guess(nearest(name, candidates, document))
-
-
-def _last(name: str) -> str:
-    return name.rpartition("::")[2]
-
-
-def _outside(scope: Scope, name: str) -> Node | None:
-    at = scope.scope_around
-    while at is not None:
-        if (found := at.resolve(name)) is not None:
-            return found
-        at = at.scope_around
-    return None
 
 
 # The names by which the joints of a world or model refer to nothing, and those of them that others explain.
@@ -1033,64 +2445,16 @@ def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
     return unlike if len(unlike) <= nameless + doubled else frozenset()
 
 
-# Scopes: worlds and models, the nodes that they name, and how references find them.
-#
-# A model is a scope of its links, joints, frames and nested models, a world of its models,
-# joints and frames. ``A::B::name`` reaches down into nested models; nothing reaches up.
-# Source: the specification's notes on naming (1.8) and libsdformat 17's FrameSemantics.cc,
-# checked against what it does.
-
-
-N = TypeVar("N", bound=Node)
-
-NEVER_A_REFERENCE = "__root__"
-
-_SEVEN = Version(1, 7)
-_LOADED = ("model", "link", "joint", "frame")
-"""The order in which libsdformat takes them in."""
-
-_MOST_NAMES = 20_000
-
-Child = tuple[str, str, "Element"]
-"""Kind, name and element."""
-
-
-class Scope(Node):
+class Scope(Namespace):
     """A model or a world.
 
     ``is_complete`` is False where an include could not be read, so that an unknown name
     proves nothing.
     """
 
-    __slots__ = ("_unread", "chain", "merged_frame")
+    __slots__ = ()
 
-    is_scope = True
-    own_name = MODEL_FRAME
-    """The name of the scope's own frame, as references in it write it."""
-
-    def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
-        super().__init__(holder, element, name)
-        self._unread = False
-        outer = holder if isinstance(holder, Scope) else None
-        self.chain: tuple[Document, ...] = outer.chain if outer else (self.document,)
-        """The files that are being read, from the outside in."""
-        self.merged_frame: MergedFrame | None = None
-        """The frame that represents it where an include merged it."""
-
-    # Nodes
-
-    @lazy
-    def nodes(self) -> dict[str, Node]:
-        """Everything that a reference can name here without ``::``; of several of a name the first."""
-        found: dict[str, Node] = {}
-        self._fill(found)
-        return found
-
-    @property
-    def is_complete(self) -> bool:
-        """Could everything that it includes be read?"""
-        _ = self.nodes
-        return not self._unread
+    # Content
 
     @lazy
     def links(self) -> tuple[Link, ...]:
@@ -1112,39 +2476,6 @@ class Scope(Node):
         """The models directly in it, included ones among them."""
         return cast("tuple[Model, ...]", self._members("model"))
 
-    def resolve(self, reference: str) -> Node | None:
-        """The node that a reference names; None if the name is unknown here."""
-        if not self.is_urdf:
-            reference = reference.strip()
-        if reference == self.own_name:
-            return self
-        if reference == NEVER_A_REFERENCE:
-            return None
-        found = self.nodes.get(reference)
-        if found is not None or "::" not in reference:
-            return found
-        head, _, rest = reference.partition("::")
-        model = self.nodes.get(head)
-        return model.resolve(rest) if isinstance(model, Scope) else None
-
-    def may_hold(self, reference: str) -> bool:
-        """Might it name something in a file that could not be read?"""
-        if not self.is_complete:
-            return True
-        head, delimiter, rest = reference.partition("::")
-        model = self.nodes.get(head) if delimiter else None
-        return isinstance(model, Scope) and model.may_hold(rest)
-
-    def lacks(self, reference: str) -> bool:
-        """Does a reference surely name nothing here? Not known where a part of it is empty."""
-        if self.resolve(reference) is not None or "" in reference.split("::"):
-            return False
-        return not self.may_hold(reference)
-
-    def guess(self, reference: str, but: tuple[str, ...] = (), kind: str = "") -> Guess:
-        """The intended name of a reference that is not resolved here: none of ``but``, and of ``kind``."""
-        return guess(self, reference, but, kind)
-
     @lazy
     def unresolved(self) -> Unresolved:
         """The names by which its joints refer to nothing, with the ends of joints that use them."""
@@ -1154,39 +2485,6 @@ class Scope(Node):
     def lost_names(self) -> frozenset[str]:
         """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
         return lost_names(self, self.unresolved)
-
-    def names(self) -> Iterator[str]:
-        """The names that a reference here can use, scoped ones included; not all of very many."""
-        return islice(self._names(), _MOST_NAMES)
-
-    def _names(self) -> Iterator[str]:
-        for name, node in self.nodes.items():
-            yield name
-            if isinstance(node, Scope):
-                yield from (f"{name}::{deeper}" for deeper in node._names())
-
-    def all_nodes(self, prefix: str = "") -> Iterator[tuple[str, Node]]:
-        """All nodes in it and in its models, with their names from here."""
-        for name, node in self.nodes.items():
-            yield prefix + name, node
-            if isinstance(node, Scope):
-                yield from node.all_nodes(f"{prefix}{name}::")
-
-    def _members(self, kind: str) -> tuple[Node, ...]:
-        """The nodes of a kind, those without a name or with one that is taken as well."""
-        named = [node for node in self.nodes.values() if node.kind == kind]
-        elements = list(self.children(kind))
-        if len(elements) == len(named):
-            return tuple(self._in_order(named))
-        own = [cast("Node", self.part(element)) for element in elements]
-        known = set(own)
-        return tuple(self._in_order([*own, *(node for node in named if node not in known)]))
-
-    def _in_order(self, nodes: list[N]) -> list[N]:
-        if all(node.place.name != "include" for node in nodes):
-            return nodes
-        order = {child: number for number, child in enumerate(self.children())}
-        return sorted(nodes, key=lambda node: order.get(node.place, len(order)))
 
     # Parts by name
 
@@ -1198,81 +2496,22 @@ class Scope(Node):
         """A joint by name, also of an inner model (``arm::elbow``), or by index; raises NotFound."""
         return pick(self, "joint", self.joints, key)
 
-    # Filling
-
-    def _fill(self, nodes: dict[str, Node]) -> None:
-        self._take_from(self, nodes)
-
-    def _take_from(self, source: Scope, nodes: dict[str, Node]) -> None:
-        """Take in the named children of a source: the scope itself, or a model that is merged into it."""
-        if source.is_urdf:
-            for kind in ("link", "joint"):
-                for child in source.element.children(kind):
-                    if name := child.text_of("name", ""):
-                        self._take(source, nodes, name, child)
-            return
-        for kind, name, child in _named_children(source):
-            if kind in NODES and (name := name.strip()):
-                self._take(source, nodes, name, child)
-
-        if survey(source.document).index.get("include"):
-            from sdfcheck.robot.includes.included import included
-
-            for include in source.element.children("include"):
-                self._include(source, nodes, included(source.document, include))
-
-    def _take(self, source: Scope, nodes: dict[str, Node], name: str, element: Element) -> None:
-        part = source.part(element)
-        if isinstance(part, Node):
-            part._name = name
-            if source is not self:
-                part.holder, part.merged = self, source.merged_frame
-            nodes.setdefault(name, part)
-
-    def _include(self, source: Scope, nodes: dict[str, Node], found: Included) -> None:
-        """Bring in an included model: as a nested one, or its parts where it is merged."""
-        if found.kind not in {"model", None}:
-            return  # lights and actors make no frames
-
-        model = included_model(source, found)
-        if not found.merge:
-            if found.name is None or model is None:
-                self._unread = True
-            else:
-                model.holder = self
-                nodes.setdefault(found.name, model)
-            return
-        if model is None or not model.is_readable:
-            self._unread = True
-            return
-
-        model.merged_frame = MergedFrame(self, found.include, model)
-        self._take_from(model, nodes)
-        self._unread = self._unread or model._unread
-        if found.name:
-            nodes.setdefault(model.merged_frame.name, model.merged_frame)
-
-
-def _named_children(source: Scope) -> Iterable[Child]:
-    """The named parts of a world or model."""
-    surveyed = survey(source.document)
-    children: Iterable[Child] = surveyed.named.get(source.element, ())
-    return _without_clashes(children) if surveyed.version < _SEVEN else children
-
-
-def _without_clashes(children: Iterable[Child]) -> Iterable[Child]:
-    """As libsdformat has it before 1.7: of two kinds with one name, the one taken in later gets another."""
-    found = [entry for entry in children if entry[0] in NODES]
-    if len({name for _, name, _ in found}) == len(found):
-        return found
-    taken: dict[str, str] = {}
-    renamed = []
-    for kind, name, child in sorted(found, key=lambda entry: _LOADED.index(entry[0])):
-        own, number = name, 1
-        while taken.setdefault(own, kind) != kind:
-            own, number = f"{name}_{kind}{number if number > 1 else ''}", number + 1
-        renamed.append((kind, own, child))
-    return renamed
+    def brought_by(self, found: Included) -> Model | None:
+        chain, inside = self.chain, found.document
+        is_readable = (
+            found.model is not None and inside is not None and inside not in chain and len(chain) <= DEEPEST
+        )
+        if is_readable:
+            self.root.included += 1
+            is_readable = self.root.included <= MOST_MODELS
+        if found.name is None and not is_readable:
+            return None
+        model = Model(self, found.model if is_readable else found.include, found.name or "")
+        model.registry = {}
+        model.include, model.is_readable = found.include, is_readable
+        if is_readable and inside is not None:
+            model.chain = (*chain, inside)
+        return model
 
 
 # The names by which the joints of a URDF robot call its links, and those that the links have.
@@ -1387,6 +2626,8 @@ class MaterialNames:
 
 
 Built_co = TypeVar("Built_co", covariant=True)
+
+
 _BOOLEANS = frozenset({"", "true", "1", "false", "0"})
 
 
@@ -1408,14 +2649,13 @@ class Model(Scope):
     included file, or the ``include`` itself where the file cannot be read.
     """
 
-    __slots__ = ("include", "is_readable")
+    __slots__ = ("include",)
     kind = "model"
 
     def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
         super().__init__(holder, element, name)
         self.include: Element | None = None
         """The ``include`` that brought it, if one did."""
-        self.is_readable = True  # its content could be read
         self.is_urdf = self.element.name == "robot"
 
     @property
@@ -1474,9 +2714,7 @@ class Model(Scope):
     @lazy
     def poses_at_rest(self) -> dict[Link, Origin]:
         """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
-        from sdfcheck.robot.motion.origin import links_at_rest
-
-        return links_at_rest(self)
+        return _links_at_rest(self)
 
     @lazy
     def drivers(self) -> dict[Joint, Part]:
@@ -1523,7 +2761,7 @@ class Model(Scope):
     @lazy
     def extended(self) -> Model:
         """The same robot with what its ``<gazebo>`` blocks add, as Gazebo has it."""
-        return cast("Model", class_named("ExtendedModel")(self, self.element))
+        return ExtendedModel(self, self.element)
 
     # Properties
 
@@ -1617,8 +2855,6 @@ class Model(Scope):
     @lazy
     def tree(self) -> Tree:
         """Its links and joints as a tree: roots, children, parents, loops."""
-        from sdfcheck.robot.motion.tree import Tree
-
         return Tree(self)
 
     @lazy
@@ -1669,9 +2905,14 @@ class Model(Scope):
     @property
     def mass_properties(self) -> MassProperties | None:
         """Mass, center of mass and inertia of all its links, in its frame; None if no link has any."""
-        from sdfcheck.robot.motion.mass import of_model
+        from sdfcheck.robot.motion.mass import default_mass, joined
 
-        return of_model(self)
+        bodies: list[MassProperties] = []
+        for link in self.all_links():
+            body = link.mass_properties or (None if link.is_urdf else default_mass())
+            if body is not None:
+                bodies.append(body.seen_from(self.root.poses.reached(self, link)))
+        return joined(bodies)
 
     @lazy
     def reach(self) -> float:
@@ -1679,9 +2920,7 @@ class Model(Scope):
 
         In SDFormat the longest distance of a link from the first one.
         """
-        from sdfcheck.robot.motion.bounds import reach_of
-
-        return reach_of(self)
+        return _reach_of(self)
 
     @lazy
     def has_mesh(self) -> bool:
@@ -1691,9 +2930,7 @@ class Model(Scope):
     @lazy
     def density(self) -> float:
         """The mass of its links by the volume of the boxes around their shapes (kg/m³); nan where few are known."""
-        from sdfcheck.robot.motion.bounds import density_of
-
-        return density_of(self)
+        return _density_of(self)
 
     @property
     def is_out_of_scale(self) -> bool:
@@ -1708,9 +2945,15 @@ class Model(Scope):
 
         In m, in its frame, shape (2, 3); None where no shape has a known size. Raises PoseError.
         """
-        from sdfcheck.robot.motion.bounds import as_array, of_model
+        from sdfcheck.bodies.box import of_points
+        from sdfcheck.robot.motion.poses import origin_from
 
-        return as_array(of_model(self))
+        corners: list[Triple] = []
+        for link in self.all_links():
+            if (box := link.box) is not None:
+                pose = origin_from(self.root.poses.reached(self, link))
+                corners += (pose.applied_to((x, y, z)) for x, y, z in box.corners())
+        return as_array(of_points(corners) if corners else None)
 
     # Parts by name
 
@@ -1721,6 +2964,186 @@ class Model(Scope):
     def all_links(self) -> Iterator[Link]:
         """The links of the model and of all models in it."""
         return (cast("Link", node) for _, node in self.all_nodes() if node.kind == "link")
+
+
+# ``<gazebo>`` blocks: what a URDF file says to Gazebo, in SDFormat.
+
+
+def text_of_setting(element: Element) -> str:
+    """The text of a setting, or its ``value`` attribute, with one space between words."""
+    return " ".join((element.content or element.attributes.get("value", "")).split())
+
+
+class GazeboBlock(Part):
+    """A ``<gazebo>`` block about a link, a joint, or (without ``reference``) the robot.
+
+    Sensors, lights, plugins, joints and models in it are parts as in SDFormat.
+    """
+
+    __slots__ = ()
+    kind = "gazebo"
+
+    def __init__(self, holder: Part, element: Element | None) -> None:
+        super().__init__(holder, element)
+        self.is_urdf = False
+
+    @property
+    def model(self) -> Model:
+        """The robot."""
+        return cast("Model", self.holder)
+
+    @property
+    def scope(self) -> Scope:
+        """Where the names in it are looked up."""
+        return self.model.extended
+
+    @property
+    def reference(self) -> str:
+        """The name of the link or joint that it is about; empty for the robot."""
+        return self._text("reference") or ""
+
+    @property
+    def reference_value(self) -> Value | None:
+        """The reference with its place."""
+        return self.attribute("reference")
+
+    @lazy
+    def subject(self) -> Link | Joint | Model | None:
+        """The part that it is about; None if the reference is not resolved."""
+        return (
+            cast("Link | Joint | None", self.model.resolve(self.reference)) if self.reference else self.model
+        )
+
+    @property
+    def is_unresolved(self) -> bool:
+        """Does its reference name no link or joint?
+
+        Names with expressions are left out, names of missing links that joints use, and names of links and
+        joints that xacro writes with other arguments.
+        """
+        name = self.reference
+        if not name or self.link is not None or self.joint is not None:
+            return False
+        if is_expression(name) or name in self.model.link_names.unknown:
+            return False
+        return not self.document.may_write(
+            rf'<(?:link|joint)\s[^<>]*\bname\s*=\s*["\']{re.escape(name)}["\']'
+        )
+
+    @property
+    def link(self) -> Link | None:
+        """The link that it is about; None if it is about something else."""
+        subject = self.subject
+        return cast("Link", subject) if subject is not None and subject.kind == "link" else None
+
+    @property
+    def joint(self) -> Joint | None:
+        """The joint that it is about; None if it is about something else."""
+        subject = self.subject
+        return cast("Joint", subject) if subject is not None and subject.kind == "joint" else None
+
+    sensors: lazy[tuple[Sensor, ...]] = parts("sensor")
+    lights: lazy[tuple[Light, ...]] = parts("light")
+    plugins: lazy[tuple[Plugin, ...]] = parts("plugin")
+    joints: lazy[tuple[Joint, ...]] = parts("joint", "The joints of SDFormat that it adds.")
+    models: lazy[tuple[Model, ...]] = parts("model", "The models that it adds.")
+
+    def settings(self, name: str) -> Iterator[Value]:
+        """The values of the settings of a name (``mu1``, ``material`` …): attribute ``value`` or text."""
+        for child in self.children(name):
+            yield child.attribute("value") or child.own_value
+
+    @property
+    def unread_settings(self) -> Iterator[tuple[Element, str]]:
+        """The settings of libsdformat in it that are not for what it is about, and what they are for.
+
+        That is link, joint or robot, or empty where only older releases read the setting.
+        """
+        if not self.reference:
+            about = {"robot"}
+        else:
+            about = {kind for kind, part in (("link", self.link), ("joint", self.joint)) if part is not None}
+        from sdfcheck.formats.urdf.schema import all_settings
+
+        known = all_settings() if about else {}
+        for child in self.children():
+            setting = known.get(child.name)
+            if setting is not None and setting.about not in about:
+                yield child, setting.about
+
+    @property
+    def overridable(self) -> list[Element]:
+        """The settings of libsdformat in it of which the last one counts, whichever block gives it."""
+        from sdfcheck.formats.urdf.schema import settings
+
+        known = {"gravity", "material", "static", *settings("link"), *settings("joint")}
+        return [child for child in self.children() if child.name in known]
+
+    def switched_on(self, name: str) -> list[Element]:
+        """The settings of a name that are true."""
+        from sdfcheck.formats.urdf.schema import TRUE
+
+        return [value.element for value in self.settings(name) if value.text.strip().lower() in TRUE]
+
+    def is_on(self, name: str) -> bool:
+        """Is a setting of this name true?"""
+        return bool(self.switched_on(name))
+
+
+# The content of a ``<gazebo>`` block of a URDF robot.
+
+
+def extension_parts(block: Element) -> Iterator[Element]:
+    """The elements in a ``<gazebo>`` block; what is in plugins is theirs."""
+    for child in block.children():
+        yield child
+        if child.name != "plugin":
+            yield from extension_parts(child)
+
+
+def with_extensions(index: Mapping[str, list[Element]]) -> Mapping[str, list[Element]]:
+    """Name → elements, with those in the ``<gazebo>`` blocks that are among them."""
+    found = {name: list(elements) for name, elements in index.items()}
+    for element in (part for block in index["gazebo"] for part in extension_parts(block)):
+        found.setdefault(element.name, []).append(element)
+    return found
+
+
+# A URDF robot as Gazebo has it: with the links, joints and models that its ``<gazebo>`` blocks add.
+
+
+class ExtendedModel(Model):
+    """The scope in which the SDFormat of ``<gazebo>`` blocks looks names up.
+
+    Links and joints that libsdformat merges away leave frames of their names.
+    """
+
+    __slots__ = ("robot",)
+
+    def __init__(self, holder: Part, element: Element | None, name: str | None = None) -> None:
+        super().__init__(holder.root, element, name or holder.name)
+        self.robot = cast("Model", holder)
+        self.is_urdf = False
+
+    def part(self, element: Element) -> Part:
+        return self.root.part_of(element)
+
+    def children(self, name: str | None = None) -> Iterator[Element]:
+        """The parts that the blocks about the robot add to it."""
+        for block in self.robot.blocks_by_reference.get("", ()):
+            yield from block.children(name)
+
+    def _fill(self, nodes: dict[str, Node]) -> None:
+        nodes.update(self.robot.nodes)
+        for child in self.children():
+            if child.name == "include":
+                self._unread = True
+            elif child.name in NODES and (name := child.attributes.get("name", "").strip()):
+                part = self.part(child)
+                if part.kind == "model" and isinstance(part, Node):
+                    nodes[name] = part  # of two things with this name the one with names in it
+                elif isinstance(part, Node):
+                    nodes.setdefault(name, part)
 
 
 # Worlds.
@@ -1765,3 +3188,136 @@ class World(Scope):
             for sensor in sensors
             if sensor.type in needs and present.isdisjoint(needs[sensor.type])
         )
+
+
+# Includes: other files that become part of a model or world.
+
+
+class Include(FileUse):
+    """An ``include``."""
+
+    __slots__ = ()
+    kind = "include"
+
+    @property
+    def name(self) -> str:
+        """The name that it gives to what it brings; empty where it gives none."""
+        name = self.find("name")
+        return name.content if name is not None else ""
+
+    @lazy
+    def uri_value(self) -> Value | None:
+        """The uri with its place; None where there is none."""
+        uri = self.find("uri")
+        return uri.own_value if uri is not None and uri.content else None
+
+    @lazy
+    def found(self) -> Included:
+        """Its target: file, document, model, or why there is not one."""
+        from sdfcheck.robot.includes.included import included
+
+        return included(self.document, self.element)
+
+    # Where it leads
+
+    @property
+    def obstacle(self) -> Obstacle | None:
+        """Why it brings nothing; None where it brings something, and for a text without other files around it."""
+        return self.found.obstacle if self.document.library is not None else None
+
+    @property
+    def leads_nowhere(self) -> bool:
+        """Is nothing where the uri leads, or nothing that is looked up?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NOT_FOUND
+
+    @property
+    def needs_config(self) -> bool:
+        """Does it lead to a folder that has no ``model.config``?"""
+        if self.obstacle is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle is Obstacle.NO_CONFIG
+
+    @property
+    def is_read_in_vain(self) -> bool:
+        """Does it lead to a file that cannot be included? A file that is not XML is reported in that file."""
+        if self.obstacle is None or self.found.file is None or self._misspelling is not None:
+            return False
+        from sdfcheck.robot.includes.included import Obstacle
+
+        return self.obstacle not in {Obstacle.BROKEN, Obstacle.OUTSIDE}
+
+    @property
+    def is_searched_for(self) -> bool:
+        """Does it name a model or package that is looked for on search paths? Nothing near by has been found, then.
+
+        To libsdformat a bare word is the name of a model, too.
+        """
+        if self.location is None:
+            return False
+        is_word = not self.location.scheme and not {*self.uri} & {"/", "\\", "."}
+        return is_word or (self.location.is_searched_for and self.location.owner is None)
+
+    @property
+    def is_misconfigured(self) -> bool:
+        """Does it lead to a model folder that has a ``manifest.xml`` of old instead of a ``model.config``?"""
+        config = self.found.config
+        return config is not None and config.path.name == "manifest.xml"
+
+    @lazy
+    def ring(self) -> tuple[Value, ...]:
+        """The uris that lead from it back to its file, outside in; empty if they do not."""
+        if self.document.library is None or self.found.document is None:
+            return ()
+        from sdfcheck.robot.includes.included import ring
+
+        return ring(self.document, self.element)
+
+    # Content
+
+    @property
+    def placement_frame_value(self) -> Value | None:
+        """The name of the frame of the model that its pose places, with its place; None if there is none."""
+        placement = self.find("placement_frame")
+        return placement.own_value if placement is not None and placement.content else None
+
+    @lazy
+    def node(self) -> Node | None:
+        """The model that it brings whole, or the frame of one that it merges; None if neither."""
+        if not isinstance(self.holder, Scope):
+            return None
+        return next((node for node in self.holder.nodes.values() if node.place is self.element), None)
+
+    @property
+    def model(self) -> Model | None:
+        """The model that it brings whole; None if it brings none, or merges it."""
+        return self.node if isinstance(self.node, Model) else None
+
+    @property
+    def content(self) -> Model | None:
+        """The model that it brings, whole or merged."""
+        return cast("Model", self.node.model) if isinstance(self.node, MergedFrame) else self.model
+
+    @property
+    def brought(self) -> Element | None:
+        """The model, actor or light of the file that it leads to; None if there is none."""
+        return self.found.model
+
+    @property
+    def is_merged(self) -> bool:
+        """Do the parts of the model become parts of the one that includes it?"""
+        return is_true(self._text("merge") or "")
+
+    @property
+    def merged_parts(self) -> tuple[tuple[str, str], ...]:
+        """Kind and name of what moves from the model into the one that includes it, where it is merged."""
+        if not self.is_merged or self.brought is None:
+            return ()
+        from sdfcheck.robot.includes.merges import moved
+
+        return tuple((kind, name) for kind, name, _ in moved(self.found))

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 from enum import Enum
 from html import escape
 
-from sdfcheck.robot.graph import Model, Node, Scope
-from sdfcheck.robot.parts.joint import Joint
+from sdfcheck.robot.graph import Joint, Model, Scope
+from sdfcheck.robot.part import Node
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -158,11 +158,11 @@ def _draw_poses(draft: _Draft) -> None:
 
 
 def _tie_to_base(draft: _Draft, node: Node) -> None:
-    from sdfcheck.robot.motion.poses import is_in_urdf, urdf_base
+    from sdfcheck.robot.motion.poses import is_in_urdf
 
     if is_in_urdf(node):
-        base, joint = urdf_base(node)
-        draft.tie(node, base, "", joint.name if joint is not None else "")
+        base, joint = node.urdf_base
+        draft.tie(node, base, "", joint.get("name") or "" if joint is not None else "")
         return
     default = {"joint": "child", "frame": "attached to"}.get(node.kind, "")
     reference = node.base_name
@@ -173,7 +173,7 @@ def _tie_to_base(draft: _Draft, node: Node) -> None:
 
 def _pose_notes(draft: _Draft) -> Callable[[Node], str]:
     """Resolved poses as text: position and roll, pitch, yaw in the frame of the top."""
-    from sdfcheck.robot.motion.rotations import to_rpy
+    from sdfcheck.robot.motion.poses import to_rpy
     from sdfcheck.source.errors import DescriptionError
 
     def note(node: Node) -> str:

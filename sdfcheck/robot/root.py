@@ -3,31 +3,185 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from itertools import chain
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from sdfcheck.formats.sdf.survey import survey
-from sdfcheck.formats.version import NEWEST, VERSIONS, Version
-from sdfcheck.robot.graph import ELEMENTS, ImplicitWorld, Node, Part, Registry, Scope, class_named, pick
-from sdfcheck.robot.naming.name import WORLD_FRAME
-from sdfcheck.robot.values import lazy
+from sdfcheck.formats.version import VERSIONS, Version
+from sdfcheck.robot.graph import (
+    Actor,
+    Axis,
+    Collision,
+    Contact,
+    ControlComponent,
+    ControlInterface,
+    ControlTransmission,
+    Dynamics,
+    GazeboBlock,
+    Gripper,
+    Include,
+    Inertial,
+    Joint,
+    Light,
+    Limit,
+    Link,
+    Mimic,
+    Model,
+    Physics,
+    Plugin,
+    Ros2Control,
+    Scope,
+    Sensor,
+    State,
+    Transmission,
+    Visual,
+    World,
+)
+from sdfcheck.robot.part import Custom, Frame, Node, Part, Placement, Reading, Setting, pick
+from sdfcheck.robot.resources import Resource
+from sdfcheck.robot.shapes import Geometry, Material, Surface
+from sdfcheck.robot.values import lazy, reference_value
+from sdfcheck.source.document import Value
+from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
-    from sdfcheck.robot.graph import Model, World
     from sdfcheck.robot.motion.mass import MassProperties
-    from sdfcheck.robot.motion.poses import Poses
-    from sdfcheck.robot.naming.frames import FrameReference, Ring
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.parts.control import ControlComponent, Ros2Control
-    from sdfcheck.robot.parts.files import Include, Resource
-    from sdfcheck.robot.parts.gazebo import GazeboBlock
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.parts.physics import Actor
-    from sdfcheck.robot.parts.sensor import Light
+    from sdfcheck.robot.resources import Resource
     from sdfcheck.source.document import Document, Element
+    from sdfcheck.source.text import Span
+
+
+# Which class an element becomes, by its name and by what it is in.
+
+
+_CLASSES: dict[str, type[Part]] = {
+    "actor": Actor,
+    "axis": Axis,
+    "axis2": Axis,
+    "collision": Collision,
+    "contact": Contact,
+    "drake:frame": Frame,
+    "drake:joint": Joint,
+    "dynamics": Dynamics,
+    "frame": Frame,
+    "gazebo": GazeboBlock,
+    "geometry": Geometry,
+    "gripper": Gripper,
+    "include": Include,
+    "inertial": Inertial,
+    "joint": Joint,
+    "light": Light,
+    "limit": Limit,
+    "link": Link,
+    "material": Material,
+    "mimic": Mimic,
+    "model": Model,
+    "origin": Placement,
+    "physics": Physics,
+    "plugin": Plugin,
+    "pose": Placement,
+    "robot": Model,
+    "ros2_control": Ros2Control,
+    "sensor": Sensor,
+    "state": State,
+    "surface": Surface,
+    "transmission": Transmission,
+    "visual": Visual,
+    "world": World,
+}
+"""Element → the class of its part; all others make a :class:`Setting`, prefixed ones a :class:`Custom`."""
+
+
+_OF_CONTROL: dict[str, type[Part]] = {
+    "command_interface": ControlInterface,
+    "gpio": ControlComponent,
+    "joint": ControlComponent,
+    "sensor": ControlComponent,
+    "state_interface": ControlInterface,
+    "transmission": ControlTransmission,
+}
+"""Names that mean this in a ``ros2_control`` block only → the class."""
+
+
+_CONTROL = frozenset(("ros2_control", "component"))
+
+
+_ELSEWHERE = {
+    "contact": frozenset(("sensor", "audio_source")),
+    "link": frozenset(("model", "robot", "gazebo")),
+    "model": frozenset(("sdf", "world", "model", "gazebo")),
+    "inertial": frozenset(("link",)),
+    "joint": frozenset(("model", "world", "robot", "gazebo")),
+    "frame": frozenset(("model", "world", "gazebo")),
+    "gazebo": frozenset(("robot",)),
+    "material": frozenset(("visual", "robot", "collision")),
+    "physics": frozenset(("world",)),
+    "plugin": frozenset(
+        ("world", "model", "sensor", "visual", "gui", "actor", "light", "projector", "gazebo")
+    ),
+}
+"""Names that mean something else elsewhere → the elements in which they mean this."""
+
+
+_OF_JOINTS = {
+    "axis": frozenset(("joint",)),
+    "axis2": frozenset(("joint",)),
+    "limit": frozenset(("axis", "joint")),
+    "mimic": frozenset(("axis", "joint")),
+    "dynamics": frozenset(("axis", "joint")),
+}
+"""Names that mean this only in a joint, or in an axis of one → the kinds of part."""
+
+
+_SCOPES = frozenset(("gazebo", "link", "model", "world"))
+
+
+_SCOPED = frozenset(("frame", "inertial", "joint", "link", "model"))
+"""Names that mean this in such a part only, and not in a setting: the link of an actor, the model of a population."""
+
+
+ELEMENTS: dict[str, tuple[str, ...]] = {}
+"""Class → the elements that become parts of it."""
+for _element, _class in _CLASSES.items():
+    ELEMENTS[_class.__name__] = (*ELEMENTS.get(_class.__name__, ()), _element)
+
+
+def part_class(holder: Part, element: Element) -> type[Part]:
+    """The class of the part that an element in a holder makes."""
+    return _class_of(holder.element.name, holder.kind, element.name) or _class_in(
+        _place(holder), holder.kind, element.name
+    )
+
+
+@lru_cache(maxsize=1000)
+def _class_of(holder: str, kind: str, tag: str) -> type[Part] | None:
+    """The same for names without a colon; None for others."""
+    names = holder + tag
+    return _class_in(holder, kind, tag) if names.isascii() and "{" not in names and ":" not in names else None
+
+
+def _place(holder: Part) -> str:
+    """The name of the holder's element; a macro of xacro counts as the link or joint that it writes."""
+    place = holder.element.name
+    return holder.kind if place.startswith("xacro:") else place
+
+
+@lru_cache(maxsize=1000)
+def _class_in(holder: str, kind: str, name: str) -> type[Part]:
+    if kind in _CONTROL and name in _OF_CONTROL:
+        return _OF_CONTROL[name]
+    found = _CLASSES.get(name)
+    if found is not None and (kind != "setting" or holder not in _SCOPES or name not in _SCOPED):
+        wanted = _OF_JOINTS.get(name)
+        at = holder if wanted is None else kind
+        wanted = wanted or _ELSEWHERE.get(name)
+        if wanted is None or at in wanted:
+            return found
+    return Custom if ":" in name else Setting
 
 
 # Parts of the robot that the names of elements alone do not determine.
@@ -74,31 +228,18 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
 }
 """Class → its parts, where the names of elements alone do not determine them."""
 
+
 P = TypeVar("P", bound="Part")
+
+
 URDF_VERSIONS = ("1.0", "1.1", "1.2")
 """The versions of URDF that urdfdom takes, the oldest first."""
 
 
-class Root(Part):
+class Root(Reading):
     """A whole file: its worlds, and the models, lights and actors that are in none. A URDF file is one model."""
 
-    __slots__ = ("_document", "included")
-
-    def __init__(self, document: Document) -> None:
-        element = document.root
-        assert element is not None, "a document without elements says nothing"
-        self._document = document
-        self.holder = None
-        self.root = self
-        self.element = element
-        self.registry: Registry = {}
-        self._each: dict[str, tuple[Any, ...]] = {}
-        self.is_given = True
-        self.is_urdf = element.name == "robot"
-        self.included = 0  # included models that were looked into
-
-    def __repr__(self) -> str:
-        return f"Root({str(self.document.path)!r})"
+    __slots__ = ()
 
     @property
     def version(self) -> str | None:
@@ -142,7 +283,7 @@ class Root(Part):
     @lazy
     def resources(self) -> tuple[Resource, ...]:
         """The meshes, textures, scripts and sounds that it names."""
-        from sdfcheck.robot.parts.files import resources_of
+        from sdfcheck.robot.resources import resources_of
 
         return resources_of(self)
 
@@ -165,40 +306,13 @@ class Root(Part):
             waiting += reversed([model for model in inner if isinstance(model, Scope)])
 
     def scope_of(self, element: Element) -> Scope | None:
-        """The innermost world or model that an element is in."""
-        parent = element.parent
-        part = None if parent is None else self.part_of(parent)
-        while part is not None and not isinstance(part, Scope):
-            if part.kind == "gazebo":
-                return cast("GazeboBlock", part).scope
-            part = part.holder
-        return part
+        return cast("Scope | None", super().scope_of(element))
 
-    def part_of(self, element: Element) -> Part:
-        """The part that an element of this file makes."""
-        found = self.registry.get(element)
-        if element is self.element:
-            return self
-        if found is None:
-            parent = element.parent
-            assert parent is not None, "the root element is known"
-            holder = self.part_of(parent)
-            if holder is self and self.is_urdf:
-                holder = self.scopes[0]
-            found = holder.part(element)
-        return found
+    def class_of(self, holder: Part, element: Element) -> type[Part]:
+        return part_class(holder, element)
 
-    @overload
-    def each(self, kind: type[P]) -> Sequence[P]: ...
-    @overload
-    def each(self, kind: str) -> Sequence[Any]: ...
-    def each(self, kind: type[Part] | str) -> Sequence[Any]:
-        """The parts of a class that the file itself writes, in the order of the file."""
-        name = kind if isinstance(kind, str) else kind.__name__
-        found = self._each.get(name)
-        if found is None:
-            found = self._each[name] = tuple(SPECIAL[name](self) if name in SPECIAL else self._written(name))
-        return found
+    def _listed(self, kind: str) -> Iterable[Any]:
+        return SPECIAL[kind](self) if kind in SPECIAL else self._written(kind)
 
     def _written(self, name: str) -> Iterator[Any]:
         index = self.elements
@@ -207,7 +321,7 @@ class Root(Part):
 
     def made_of(self, elements: Iterable[Element], kind: str) -> Iterator[Any]:
         """The parts of a class that elements of this file make; that of ``robot`` is its model."""
-        cls = class_named(kind)
+        cls = _NAMED[kind]
         part_of = self.part_of
         for element in elements:
             part = part_of(element)
@@ -221,10 +335,6 @@ class Root(Part):
         """The versions of the format that consumers know, the oldest first."""
         return URDF_VERSIONS if self.is_urdf else tuple(map(str, VERSIONS))
 
-    def is_older_than(self, version: str) -> bool:
-        """Does it declare a version of SDFormat before this one?"""
-        return not self.is_urdf and self._survey.version < (Version.parse(version) or NEWEST)
-
     @lazy
     def names(self) -> Names:
         """The names that the file gives."""
@@ -237,7 +347,6 @@ class Root(Part):
         """The references to frames that the file writes, resolved or not."""
         if self.is_urdf and not self.elements.get("gazebo"):
             return ()
-        from sdfcheck.robot.naming.frames import frame_references
 
         return tuple(frame_references(self))
 
@@ -246,7 +355,6 @@ class Root(Part):
         """The frames that are attached to, or placed relative to, each other in a ring."""
         if not self.frame_references:
             return ()
-        from sdfcheck.robot.naming.frames import rings
 
         return rings(self)
 
@@ -255,7 +363,7 @@ class Root(Part):
         """Link → the joints of this file that carry it, wherever they are; without those that only Gazebo adds."""
         if not (joints := [joint for joint in self.each("Joint") if joint.holder.kind != "gazebo"]):
             return {}
-        from sdfcheck.robot.motion.tree import parents_in
+        from sdfcheck.robot.graph import parents_in
 
         return parents_in(joints)
 
@@ -264,34 +372,9 @@ class Root(Part):
         """The joints of this file that lead round in a circle, whichever world or model they are in."""
         if not self.parent_joints:
             return []
-        from sdfcheck.robot.motion.tree import loops
+        from sdfcheck.robot.graph import loops
 
         return loops(self.parent_joints, self.each("Joint"))
-
-    def outermost(self, node: Node) -> Node:
-        """The world around a node, or the substitute of a file without a world."""
-        at: Part | None = node
-        while at is not None:
-            if isinstance(at, Scope) and at.kind == "world":
-                return at
-            at = at.holder
-        return self.outside
-
-    @lazy
-    def outside(self) -> Node:
-        """The substitute for the world in a file without a world."""
-        return ImplicitWorld(self, self.element, WORLD_FRAME)
-
-    @lazy
-    def poses(self) -> Poses:
-        """The poses of all nodes, each worked out once."""
-        from sdfcheck.robot.motion.poses import Poses
-
-        return Poses()
-
-    @property
-    def document(self) -> Document:
-        return self._document
 
     @lazy
     def elements(self) -> Mapping[str, list[Element]]:
@@ -302,7 +385,7 @@ class Root(Part):
             index = urdf_survey(self.document).index
             if not index.get("gazebo"):
                 return index
-            from sdfcheck.robot.parts.gazebo import with_extensions
+            from sdfcheck.robot.graph import with_extensions
 
             return with_extensions(index)
         return self._survey.index
@@ -312,11 +395,6 @@ class Root(Part):
         return survey(self.document)
 
     @property
-    def named(self) -> Mapping[Element, list[tuple[str, str, Element]]]:
-        """Element of SDFormat → its children that have a name: kind, name and element."""
-        return self._survey.named
-
-    @property
     def mass_properties(self) -> MassProperties | None:
         """Mass (kg), center of mass (m) and inertia (kg·m²) of everything that is not static, all joints at zero.
 
@@ -324,7 +402,7 @@ class Root(Part):
         """
         from sdfcheck.robot.motion.mass_report import mass_report
 
-        return mass_report(self).total
+        return mass_report(self.scopes).total
 
     # Parts by name
 
@@ -337,6 +415,200 @@ class Root(Part):
         return pick(self, "model", self.models, key)
 
 
+_NAMED = {
+    cls.__name__: cls
+    for cls in (*_CLASSES.values(), *_OF_CONTROL.values(), Custom, Setting, Part, Resource, Root)
+}
+"""The classes by their names."""
+
+
 def root_of(document: Document) -> Root:
     """The root of a document of SDFormat or URDF, read once."""
     return document.view(Root)
+
+
+# References: the names of frames that poses, attachments and axes write.
+
+
+_SEVEN = Version(1, 7)
+
+
+class FrameReference:
+    """The name of a frame in SDFormat, as it is written.
+
+    ``role`` is ``relative_to`` (of a pose, also where it was called ``frame``),
+    ``attached_to`` (of a frame) or ``expressed_in`` (of an axis).
+    """
+
+    __slots__ = ("__dict__", "role", "root", "value")
+
+    def __init__(self, root: Root, role: str, value: Value) -> None:
+        self.root = root
+        self.role = role
+        self.value = value
+
+    def __repr__(self) -> str:
+        return f"FrameReference({self.role} {self.name!r})"
+
+    @property
+    def name(self) -> str:
+        """The name that it writes."""
+        return self.value.text.strip()
+
+    @property
+    def span(self) -> Span:
+        """The place of the name."""
+        return self.value.span
+
+    @property
+    def owner_element(self) -> Element:
+        """The element that it is about: what has the pose, the frame, or the ``xyz`` of the axis."""
+        element = self.value.element
+        parent = element.parent if element.name == "pose" else None
+        return element if parent is None else parent
+
+    @property
+    def owner(self) -> Part:
+        """The part that it is about."""
+        return self.root.part_of(self.owner_element)
+
+    @lazy
+    def scope(self) -> Scope | None:
+        """The world or model in which the name is looked up; None around what is at the top of the file."""
+        return self.root.scope_of(self.owner_element)
+
+    @lazy
+    def target(self) -> Node | None:
+        """The node that it names; None if the name is unknown."""
+        return None if self.scope is None else self.scope.resolve(self.name)
+
+    @property
+    def is_extension(self) -> bool:
+        """Is it in a ``<gazebo>`` block of a URDF file?"""
+        return self.root.is_urdf
+
+    @property
+    def is_unresolved(self) -> bool:
+        """Does it surely name nothing?"""
+        return self.scope is not None and self.scope.lacks(self.name)
+
+
+def frame_references(root: Root) -> Iterator[FrameReference]:
+    """The references to frames in SDFormat, also in ``<gazebo>`` blocks; those that nobody reads are left out."""
+    surveyed = survey(root.document)
+    for pose in surveyed.index.get("pose", ()):
+        for name, text in pose.attributes.items():
+            is_read = name == "relative_to" or (name == "frame" and surveyed.version < _SEVEN)
+            if is_read and text.strip():
+                reference = FrameReference(root, "relative_to", Value(pose, name, text))
+                if reference.owner_element.name != "inertial" and not _is_in_state(pose):
+                    yield reference
+    for kind, role in (("xyz", "expressed_in"), ("frame", "attached_to")):
+        for element in surveyed.index.get(kind, ()):
+            value = element.attribute(role)
+            if value is not None and value.text.strip() and not _is_in_state(element):
+                yield FrameReference(root, role, value)
+
+
+def _is_in_state(element: Element) -> bool:
+    """Is it in a ``<state>``, whose frames libsdformat does not read?"""
+    return any(around.name == "state" for around in element.around)
+
+
+# Rings among frames: what is attached to, or placed relative to, itself by way of others.
+
+_Step = tuple[Value | None, Node | None]
+"""The reference that leads on from a node (None where it is implied), and where to."""
+
+
+class Ring(Record):
+    """Frames that are attached to, or placed relative to, each other in a ring.
+
+    ``role`` is ``attached_to`` or ``relative_to``. ``members`` are the references that make
+    the ring, ``names`` the frames that hold them; both begin with the first of this file.
+    """
+
+    role: str
+    members: tuple[Value, ...]
+    names: tuple[str, ...]
+
+
+def rings(root: Root) -> tuple[Ring, ...]:
+    """The rings that references of this file take part in."""
+    starts = [
+        node
+        for reference in root.frame_references
+        if reference.role != "expressed_in" and (node := _node(reference.owner)) is not None
+    ]
+    # A reported ring of attachments contains a frame: rings of joints alone are left out.
+    has_frames = bool(root.includes) or any(each.role == "attached_to" for each in root.frame_references)
+    attached = _search("attached_to", starts, _attachment) if has_frames else ()
+    return (*attached, *_search("relative_to", starts, _placement))
+
+
+def _node(part: Part) -> Node | None:
+    """The node that a part is, or that an include makes."""
+    if part.kind == "include":
+        return cast("Include", part).node
+    return part if isinstance(part, Node) else None
+
+
+def _attachment(node: Node) -> _Step:
+    """The node that a node moves with."""
+    value = None
+    if isinstance(node, Frame):
+        value = node.attached_to_value
+    elif isinstance(node, Joint):
+        value = node.child_value
+    return (None, None) if value is None else (value, node.look_up(value.text.strip()))
+
+
+def _placement(node: Node) -> _Step:
+    """The node that a node is placed relative to: at the end, the model around it."""
+    value = _pose_reference(node)
+    if value is not None:
+        return value, node.look_up(value.text.strip())
+    value, on = _attachment(node)
+    if value is not None:
+        return value, on
+    around = node.merged or node.holder
+    return None, around if isinstance(around, Node) and around.kind != "world" else None
+
+
+def _pose_reference(node: Node) -> Value | None:
+    """The reference of the pose of a node that something is around."""
+    if not isinstance(node.holder, Scope):
+        return None
+    value = reference_value(node.pose_element)
+    return value if value is not None and value.text.strip() else None
+
+
+def _search(role: str, starts: list[Node], step: Callable[[Node], _Step]) -> list[Ring]:
+    found: list[Ring] = []
+    done: set[Node] = set()
+    for start in starts:
+        path: dict[Node, Value | None] = {}
+        at: Node | None = start
+        while at is not None and at not in done and at not in path:
+            path[at], at = step(at)
+        if at is not None and at in path:
+            nodes = list(path)
+            ring = _ring(role, nodes[nodes.index(at) :], path)
+            found += [] if ring is None else [ring]
+        done.update(path)
+    return found
+
+
+def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> Ring | None:
+    if role == "attached_to" and all(isinstance(node, Joint) for node in nodes):
+        return None  # what joints lead to is their own matter
+    if role == "relative_to" and all(_pose_reference(node) is None for node in nodes):
+        return None  # the ring of attachments
+    members = [(value, node.name) for node in nodes if (value := path[node]) is not None]
+    document = nodes[0].root.document
+    own = [at for at, (value, _) in enumerate(members) if value.element.document is document]
+    if not own:
+        return None  # it is reported in its own file
+    first = min(own, key=lambda at: members[at][0].span.start)
+    members = members[first:] + members[:first]
+    return Ring(role, tuple(value for value, _ in members), tuple(name for _, name in members))

@@ -25,9 +25,7 @@ from sdfcheck.source.text import is_expression
 from sdfcheck.xacro.language import matches
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Model
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
+    from sdfcheck.robot.graph import Joint, Link, Model
     from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
 

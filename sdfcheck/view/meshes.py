@@ -13,7 +13,7 @@ from lxml import etree
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array
 from sdfcheck.source.document import Document, Element
 
 # Numbers, transforms and places as the page reads them.

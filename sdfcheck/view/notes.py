@@ -10,10 +10,9 @@ from types import MappingProxyType
 from sdfcheck.convert.comparison import Change
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.robot.graph import Model, Part, World
+from sdfcheck.robot.graph import Joint, Link, Model, World
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.parts.joint import Joint
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.part import Part
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import DescriptionError

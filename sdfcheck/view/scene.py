@@ -11,14 +11,12 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from sdfcheck.robot.graph import Model
+from sdfcheck.robot.graph import Light, Model, Sensor, Visual
+from sdfcheck.robot.graph import Link as LinkPart
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism
-from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.parts.link import Link as LinkPart
-from sdfcheck.robot.parts.sensor import Light, Sensor
-from sdfcheck.robot.parts.shape import Visual
+from sdfcheck.robot.motion.poses import Array
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.robot.values import Vector
 from sdfcheck.source.document import Document, Element

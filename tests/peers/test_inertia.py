@@ -35,7 +35,7 @@ def top_model(path: Path) -> ModelMass | None:
         return None
     if "drake:deformable_properties" in document.source.text:
         return None  # no rigid body to Drake
-    report = mass_report(root_of(document))
+    report = mass_report(root_of(document).scopes)
     sound = len(report.models) == 1 and document.root.has("model") and report.is_complete
     return report.models[0] if sound and not report.models[0].models else None
 

@@ -17,7 +17,7 @@ from sdfcheck.formats.version import Version
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.origin import PoseError
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.errors import DescriptionError
 from tests.peers.cmdprint import version_of

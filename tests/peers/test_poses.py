@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from sdfcheck.files.library import Library
-from sdfcheck.robot.graph import Model, Node
-from sdfcheck.robot.motion.rotations import Array, angle_between
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.motion.poses import Array, angle_between
+from sdfcheck.robot.part import Node
 from sdfcheck.robot.root import root_of
 from tests.peers import drake_poses
 from tests.peers.findings import SHARED

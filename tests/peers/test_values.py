@@ -14,15 +14,12 @@ import pytest
 
 from sdfcheck.files.library import Library
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.graph import Model, Node, World
+from sdfcheck.robot.graph import Joint, Link, Model, Sensor, Shape, Visual, World
 from sdfcheck.robot.motion import mass
 from sdfcheck.robot.motion.flatten import direction_of
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.parts.joint import Joint
-from sdfcheck.robot.parts.link import Link
-from sdfcheck.robot.parts.sensor import Sensor
-from sdfcheck.robot.parts.shape import Shape, Visual
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, written_pose
+from sdfcheck.robot.part import Node
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.errors import DescriptionError
 from tests.peers.findings import SHARED
@@ -111,7 +108,7 @@ class Ours:
 
     def link(self, key: str, link: Link) -> None:
         self.pose(key, self.root.poses.in_scope(link))
-        body = mass.of_link(link) or mass.default_mass()
+        body = link.mass_properties or mass.default_mass()
         pose = written_pose(link.inertial.find("pose")) if link.inertial.is_given else np.eye(4)
         own = link.inertial.tensor
         self.values[f"{key}/mass"] = (body.mass,)

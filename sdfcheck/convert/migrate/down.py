@@ -19,12 +19,12 @@ from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import Node as RobotNode
-from sdfcheck.robot.graph import Scope
-from sdfcheck.robot.motion.mass import MassProperties, automatic
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.graph import Link, Scope
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, from_rpy, transform, written_pose
+from sdfcheck.robot.part import Namespace
+from sdfcheck.robot.part import Node as RobotNode
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.errors import DescriptionError
 
@@ -300,7 +300,7 @@ def write_inertias(migration: Migration) -> None:
         frame = places.frame(link) if places is not None else None
         if isinstance(frame, Link):
             try:
-                _write(inertial, automatic(frame))
+                _write(inertial, frame.automatic_mass())
             except (DescriptionError, PoseError) as error:
                 migration.changed_bodies = True
                 text = f"the automatic inertia of {title(link)} is lost: {error}"
@@ -637,7 +637,7 @@ def attach_joints_to_links(migration: Migration) -> None:
                 own.unset(attribute)
 
 
-def _as_seen(scope: Scope, link: RobotNode, name: str, named: RobotNode) -> tuple[RobotNode, str]:
+def _as_seen(scope: Namespace, link: RobotNode, name: str, named: RobotNode) -> tuple[RobotNode, str]:
     """A link and its name from a scope above that of the frame that leads to it."""
     at = named.scope
     while at is not scope and isinstance(at.holder, Scope):

@@ -45,8 +45,8 @@ from sdfcheck.robot.graph import Model, Scope, World
 from sdfcheck.robot.includes.included import included
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Link, Mechanism
-from sdfcheck.robot.motion.poses import PoseError
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml, copied_as
 from sdfcheck.source.document import Document, Element

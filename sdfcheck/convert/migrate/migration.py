@@ -17,11 +17,12 @@ from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.vendor.table import tag_of
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import MergedFrame, Model, Scope
-from sdfcheck.robot.graph import Node as RobotNode
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.graph import Model, Scope
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, inverse, to_rpy, written_pose
 from sdfcheck.robot.naming.name import MODEL_FRAME, WORLD_FRAME
+from sdfcheck.robot.part import MergedFrame
+from sdfcheck.robot.part import Node as RobotNode
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.document import Comment, Element

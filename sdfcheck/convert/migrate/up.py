@@ -22,8 +22,8 @@ from sdfcheck.convert.migrate.migration import Migration, Places, rename_in_plug
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.version import Version
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array, inverse
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, inverse, written_pose
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment, Element

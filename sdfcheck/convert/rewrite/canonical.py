@@ -18,9 +18,9 @@ from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.motion.mass import MassProperties, automatic
-from sdfcheck.robot.motion.poses import PoseError
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.graph import Link
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.origin import PoseError
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
@@ -224,7 +224,7 @@ def _is_automatic(inertial: Xml) -> bool:
 
 def _computed(frame: Link, notes: list[str]) -> MassProperties | None:
     try:
-        return automatic(frame)
+        return frame.automatic_mass()
     except (DescriptionError, PoseError) as error:
         notes.append(f"{_place(frame.element)}: link `{frame.name}` keeps its automatic inertia: {error}")
         return None

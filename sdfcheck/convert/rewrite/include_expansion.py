@@ -24,7 +24,7 @@ from sdfcheck.robot.includes.included import (
     includes_of,
     with_parameters,
 )
-from sdfcheck.robot.motion.rotations import to_rpy
+from sdfcheck.robot.motion.poses import to_rpy
 from sdfcheck.robot.naming.name import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml, copied

@@ -18,8 +18,8 @@ from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, inverse, to_rpy, written_pose
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element

@@ -15,10 +15,10 @@ from sdfcheck.convert.writer import PACKAGES
 from sdfcheck.files.uris import scheme_of
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Model
-from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.motion.poses import Poses
-from sdfcheck.robot.parts.files import names_file
+from sdfcheck.robot.part import Node as RobotNode
+from sdfcheck.robot.resources import names_file
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 from sdfcheck.source.text import relative_path

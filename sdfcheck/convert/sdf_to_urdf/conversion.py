@@ -43,12 +43,12 @@ from sdfcheck.convert.settings_tree import of_model, of_urdf
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends, without_empty_shapes
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import MergedFrame, Model
+from sdfcheck.robot.graph import ENDLESS, Model
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Mechanism
-from sdfcheck.robot.motion.poses import PoseError
-from sdfcheck.robot.motion.rotations import inverse
-from sdfcheck.robot.parts.joint import ENDLESS
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import inverse
+from sdfcheck.robot.part import MergedFrame
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Document, Element

@@ -14,10 +14,10 @@ from sdfcheck.convert.sdf_to_urdf.context import Context
 from sdfcheck.convert.sdf_to_urdf.plan import WORLD, is_identity, pose_text, shortened
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import MergedFrame
-from sdfcheck.robot.graph import Node as RobotNode
 from sdfcheck.robot.motion.mechanism import Joint
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array
+from sdfcheck.robot.part import MergedFrame
+from sdfcheck.robot.part import Node as RobotNode
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element

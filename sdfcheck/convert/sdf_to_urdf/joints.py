@@ -17,10 +17,10 @@ from sdfcheck.convert.sdf_to_urdf.plan import Edge, add_origin, shortened
 from sdfcheck.convert.writer import MERGED, number
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import ENDLESS
 from sdfcheck.robot.motion.mass import SMALL
 from sdfcheck.robot.motion.mechanism import Axis, Joint
-from sdfcheck.robot.motion.rotations import Array, inverse
-from sdfcheck.robot.parts.joint import ENDLESS
+from sdfcheck.robot.motion.poses import Array, inverse
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 

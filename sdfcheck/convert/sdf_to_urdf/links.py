@@ -23,12 +23,11 @@ from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, merged_frame
 from sdfcheck.convert.writer import NOTHING, SCRIPTS, number, numbers, settled
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import Inertial
+from sdfcheck.robot.graph import Link as LinkPart
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Geometry, Link
-from sdfcheck.robot.motion.poses import written_pose
-from sdfcheck.robot.motion.rotations import Array, transform
-from sdfcheck.robot.parts.link import Inertial
-from sdfcheck.robot.parts.link import Link as LinkPart
+from sdfcheck.robot.motion.poses import Array, transform, written_pose
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
 

@@ -15,7 +15,7 @@ from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.sdf_to_urdf.shapes import pieces
 from sdfcheck.robot.motion.mass import default_mass
 from sdfcheck.robot.motion.mechanism import Axis, Joint, Link, Mechanism, Mimic
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array
 
 ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw", "planar"})
 TWO_AXES = frozenset({"universal", "revolute2"})

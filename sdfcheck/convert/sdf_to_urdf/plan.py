@@ -12,8 +12,7 @@ from sdfcheck.convert.writer import numbers
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
-from sdfcheck.robot.motion.poses import written_pose
-from sdfcheck.robot.motion.rotations import Array, angle_between, inverse, to_rpy
+from sdfcheck.robot.motion.poses import Array, angle_between, inverse, to_rpy, written_pose
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import WrongUsage

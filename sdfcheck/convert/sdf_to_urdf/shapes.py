@@ -14,8 +14,8 @@ from sdfcheck.convert.sdf_to_urdf.context import mesh_uri
 from sdfcheck.convert.sdf_to_urdf.options import Planes
 from sdfcheck.convert.writer import number, numbers
 from sdfcheck.robot.motion.mechanism import Geometry
-from sdfcheck.robot.motion.rotations import transform, z_towards
-from sdfcheck.robot.parts.shape import shape_in
+from sdfcheck.robot.motion.poses import transform, z_towards
+from sdfcheck.robot.shapes import shape_in
 from sdfcheck.source.altered import Xml
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from sdfcheck.convert.sdf_to_urdf.plan import is_same, shortened
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings
 from sdfcheck.formats.vendor.definitions import Tag
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.rotations import Array, to_rpy
+from sdfcheck.robot.motion.poses import Array, to_rpy
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
 from sdfcheck.source.sniff import Kind

@@ -16,8 +16,8 @@ from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.urdf.schema import Setting
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.motion.rotations import Array, to_rpy
-from sdfcheck.robot.parts.gazebo import text_of_setting
+from sdfcheck.robot.graph import text_of_setting
+from sdfcheck.robot.motion.poses import Array, to_rpy
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 from sdfcheck.source.record import NamedTuple

@@ -26,10 +26,11 @@ from sdfcheck.convert.writer import (
     without_empty_shapes,
 )
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import Transmission
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Axis, Link, Mechanism
-from sdfcheck.robot.motion.poses import PoseError, origin_of
-from sdfcheck.robot.parts.control import Transmission
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import origin_of
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment, Document, Element, Node

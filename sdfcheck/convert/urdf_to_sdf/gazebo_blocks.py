@@ -17,11 +17,9 @@ from sdfcheck.convert.writer import NONE, SCRIPTS, WAS, numbers
 from sdfcheck.formats.sdf.values import floats, number
 from sdfcheck.formats.urdf.schema import TRUE, Setting, all_settings, settings
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import Model
-from sdfcheck.robot.motion.rotations import Array, from_rpy, to_rpy, transform
+from sdfcheck.robot.graph import PRESERVING, Model, text_of_setting
+from sdfcheck.robot.motion.poses import Array, from_rpy, to_rpy, transform
 from sdfcheck.robot.naming.references import NAMING
-from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.robot.parts.joint import PRESERVING
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Comment, Element
 

@@ -13,8 +13,7 @@ from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import JOINT, PARENT, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.motion.mechanism import Joint
-from sdfcheck.robot.motion.poses import origin_of
-from sdfcheck.robot.motion.rotations import Array, inverse, transform, z_towards
+from sdfcheck.robot.motion.poses import Array, inverse, origin_of, transform, z_towards
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element
 

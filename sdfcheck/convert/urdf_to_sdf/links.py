@@ -17,8 +17,7 @@ from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.poses import origin_of
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array, origin_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Comment, Element
 

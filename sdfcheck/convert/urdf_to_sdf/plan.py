@@ -11,11 +11,10 @@ from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
 from sdfcheck.formats.urdf.schema import TRUE, settings
 from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.robot.graph import PRESERVING, text_of_setting
 from sdfcheck.robot.motion.mass import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
-from sdfcheck.robot.motion.rotations import Array, inverse
-from sdfcheck.robot.parts.gazebo import text_of_setting
-from sdfcheck.robot.parts.joint import PRESERVING
+from sdfcheck.robot.motion.poses import Array, inverse
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element
 

@@ -9,7 +9,7 @@ from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.convert.urdf_to_sdf.plan import Plan
 from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings, uses
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.parts.control import Transmission
+from sdfcheck.robot.graph import Transmission
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.document import Element

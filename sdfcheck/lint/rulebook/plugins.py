@@ -459,8 +459,7 @@ def _looks_at(value: object) -> str | None:
     if text := _tuple_of("looks_at", type, "classes, such as Joint")(value):
         return text
     from sdfcheck.lint.subjects import OF_TEXT, OF_VENDORS
-    from sdfcheck.robot.graph import ELEMENTS
-    from sdfcheck.robot.root import SPECIAL
+    from sdfcheck.robot.root import ELEMENTS, SPECIAL
 
     known = (*ELEMENTS, *SPECIAL, *OF_TEXT, *OF_VENDORS, Element.__name__)
     strange = [kind.__name__ for kind in value if kind.__name__ not in known]  # type: ignore[attr-defined]

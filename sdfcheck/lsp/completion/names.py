@@ -16,8 +16,9 @@ from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.names.expanded import MOST_ASSISTANTS, Expanded, expansions, plain, roots_of
 from sdfcheck.lsp.names.index import is_made, occurrences, robots_about
 from sdfcheck.lsp.workspace import Workspace
-from sdfcheck.robot.graph import Model, Scope
+from sdfcheck.robot.graph import Model
 from sdfcheck.robot.naming.occurrences import Occurrence
+from sdfcheck.robot.part import Namespace
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
@@ -274,7 +275,7 @@ def _nearest(text: str, name: str, offset: int) -> int:
 _FAR = 60_000
 
 
-def _in_scope(scope: Scope, kinds: tuple[str, ...], context: Context) -> Iterator[Item]:
+def _in_scope(scope: Namespace, kinds: tuple[str, ...], context: Context) -> Iterator[Item]:
     if isinstance(scope, Model) and scope.is_urdf:
         known: dict[str, Iterable[str]] = {
             "material": scope.material_names.defined,
@@ -296,12 +297,12 @@ def _in_scope(scope: Scope, kinds: tuple[str, ...], context: Context) -> Iterato
         yield Item("world", Sort.NAME, "world", detail="world", rank=4)
 
 
-def _own_name(scope: Scope, context: Context) -> str:
+def _own_name(scope: Namespace, context: Context) -> str:
     """Parts that cannot refer to themselves."""
     return dict(context.given).get("name", "") if context.where is Where.VALUE else ""
 
 
-def _scope(document: Document, context: Context, offset: int) -> Scope | None:
+def _scope(document: Document, context: Context, offset: int) -> Namespace | None:
     """The world or model in which a name that is written at a place is looked up."""
     root = root_of(document)
     if root.is_urdf:
@@ -312,14 +313,14 @@ def _scope(document: Document, context: Context, offset: int) -> Scope | None:
     if element is None:
         return root.scopes[0] if root.scopes else None
     part = root.part_of(element)
-    is_own = isinstance(part, Scope) and context.attribute in {"canonical_link", "placement_frame"}
-    if is_own and isinstance(part, Scope):
+    is_own = isinstance(part, Namespace) and context.attribute in {"canonical_link", "placement_frame"}
+    if is_own and isinstance(part, Namespace):
         return part
-    found = root.scope_of(element) or (part if isinstance(part, Scope) else None)
+    found = root.scope_of(element) or (part if isinstance(part, Namespace) else None)
     holder = element.parent
     if found is not None and element.name == "pose" and holder is not None and root.part_of(holder) is found:
         outer = found.holder  # the pose of a model is written where the model is
-        return outer if isinstance(outer, Scope) else found
+        return outer if isinstance(outer, Namespace) else found
     return found
 
 

@@ -8,15 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from sdfcheck.robot.graph import Model, Node
+from sdfcheck.robot.graph import Axis, Joint, Link, Model
 from sdfcheck.robot.motion import mechanism
-from sdfcheck.robot.motion.mass import of_link
 from sdfcheck.robot.motion.mechanism import Geometry, Mechanism, Mimic
 from sdfcheck.robot.motion.origin import numbers_of, urdf_number
-from sdfcheck.robot.motion.poses import origin_of
-from sdfcheck.robot.motion.rotations import Array, inverse
-from sdfcheck.robot.parts.joint import Axis, Joint
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.motion.poses import Array, inverse, origin_of
+from sdfcheck.robot.part import Node
 from sdfcheck.robot.values import Number
 from sdfcheck.source.document import Element
 from sdfcheck.source.errors import DescriptionError
@@ -246,7 +243,7 @@ def _require(number: Number) -> float:
 
 
 def _link(link: Link, name: str, pose: Array) -> mechanism.Link:
-    made = mechanism.Link(name, pose, link.element, of_link(link))
+    made = mechanism.Link(name, pose, link.element, link.mass_properties)
     for shape in link.shapes:
         geometry = shape.geometry
         if geometry.shape:

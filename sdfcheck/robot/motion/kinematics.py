@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from sdfcheck.robot.motion.mechanism import Axis, Joint, Mechanism, Mimic
-from sdfcheck.robot.motion.rotations import Array, about_axis, inverse, transform, z_towards
+from sdfcheck.robot.motion.poses import Array, about_axis, inverse, transform, z_towards
 from sdfcheck.source.record import NamedTuple
 
 Positions = Mapping[str, Array]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,18 +13,15 @@ from sdfcheck.files.library import library_of
 from sdfcheck.files.regular import Unfit
 from sdfcheck.files.uris import locate
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.robot.motion import poses
 from sdfcheck.robot.motion.origin import urdf_number
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array, origin_of, written_pose
 from sdfcheck.robot.values import MOMENTS
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Model
-    from sdfcheck.robot.parts.link import Inertial, Link
-    from sdfcheck.robot.parts.shape import Collision
+    from sdfcheck.robot.shapes import Geometry
 
 
 class MassProperties(NamedTuple):
@@ -39,6 +37,10 @@ class MassProperties(NamedTuple):
         """The same body in an outer frame, in which this one's frame has the 4×4 pose ``frame``."""
         turn = frame[:3, :3]
         return MassProperties(self.mass, turn @ self.center + frame[:3, 3], turn @ self.moments @ turn.T)
+
+    def scaled_to(self, mass: float) -> MassProperties:
+        """The same body with another mass, evenly spread as before."""
+        return MassProperties(mass, self.center, self.moments * (mass / self.mass))
 
     def joined_with(self, other: MassProperties) -> MassProperties:
         """Two bodies of one frame, rigidly joined."""
@@ -57,8 +59,6 @@ class MassProperties(NamedTuple):
 SMALL = MassProperties(1e-3, np.zeros(3), np.eye(3) * 1e-6)
 """A body too small to have an effect, for links that move and have no mass, which consumers refuse or drop."""
 
-
-# Mass properties: of a link, of a model, of closed meshes.
 
 # Mass properties of closed meshes.
 
@@ -113,7 +113,7 @@ def _scale(mesh: Element) -> tuple[float, ...]:
     return numbers
 
 
-# Mass properties: of a link, of a model, of everything.
+# Mass properties of links.
 
 
 def default_mass() -> MassProperties:
@@ -121,66 +121,40 @@ def default_mass() -> MassProperties:
     return MassProperties(1.0, np.zeros(3), np.eye(3))
 
 
-def of_link(link: Link) -> MassProperties | None:
-    """The mass properties of a link in its frame; None where the file gives none.
+def of_sdf(inertial: Element, mass: float, moments: Mapping[str, float]) -> MassProperties:
+    """The mass properties that an ``inertial`` of SDFormat writes, in the frame of its link.
 
     Raises DescriptionError where they cannot be worked out.
     """
-    inertial = link.inertial
-    if not inertial.is_given:
-        return None
-    if link.is_urdf:
-        return _of_urdf(inertial)
-    if inertial.is_automatic:
-        return automatic(link)
-    moments = tensor(*(inertial.moments[name] for name in MOMENTS))
-    if not math.isfinite(inertial.mass) or not np.isfinite(moments).all():
-        raise DescriptionError("the inertia is not finite", inertial.element)
+    of_moments = tensor(*(moments[name] for name in MOMENTS))
+    if not math.isfinite(mass) or not np.isfinite(of_moments).all():
+        raise DescriptionError("the inertia is not finite", inertial)
     # A reference on an inertial's pose is ignored: the pose is in the link, whatever is written.
-    pose = poses.written_pose(inertial.find("pose"))
-    return MassProperties(float(inertial.mass), np.zeros(3), moments).seen_from(pose)
+    pose = written_pose(inertial.find("pose"))
+    return MassProperties(float(mass), np.zeros(3), of_moments).seen_from(pose)
 
 
-def _of_urdf(inertial: Inertial) -> MassProperties:
-    mass, inertia = inertial.find("mass"), inertial.inertia
+def of_urdf(inertial: Element) -> MassProperties:
+    """The mass properties that an ``inertial`` of URDF writes, in the frame of its link; raises DescriptionError."""
+    mass, inertia = inertial.find("mass"), inertial.find("inertia")
     weight = urdf_number(mass, "value", 0.0) if mass is not None else 0.0
     moments = np.zeros((3, 3))
     if inertia is not None:
         moments = tensor(*(urdf_number(inertia, name, 0.0) for name in MOMENTS))
-    return MassProperties(weight, np.zeros(3), moments).seen_from(poses.origin_of(inertial.element))
+    return MassProperties(weight, np.zeros(3), moments).seen_from(origin_of(inertial))
 
 
-def automatic(link: Link) -> MassProperties:
-    """The mass properties that ``auto="true"`` asks for: collisions filled evenly with their density.
+def filled(geometry: Geometry, density: float, collision: Element) -> MassProperties:
+    """The shape of a collision as a solid of a density (kg/m³), in its own frame.
 
     Raises DescriptionError for shapes that have no volume, and for meshes that cannot be measured.
     """
-    inertial = link.inertial
-    total: MassProperties | None = None
-    for collision in link.collisions:
-        density = collision.density if collision.density.is_given else inertial.density
-        body = _filled(collision, float(density))
-        body = body.seen_from(link.root.poses.of_part(collision.element, link))
-        total = body if total is None else total.joined_with(body)
-    if total is None:
-        raise DescriptionError("its inertia cannot be computed: the link has no collision", link.element)
-    wanted = inertial.mass
-    if wanted.is_given and wanted > 0 and total.mass > 0:
-        return MassProperties(float(wanted), total.center, total.moments * (float(wanted) / total.mass))
-    return total
-
-
-def _filled(collision: Collision, density: float) -> MassProperties:
-    """A collision as a solid of a density (kg/m³), in its own frame."""
-    geometry = collision.geometry
     solid = geometry.solid
     if solid is not None:
         mass = density * solid.volume
         return MassProperties(mass, np.array([0.0, 0.0, solid.center]), tensor(*solid.moments.times(mass)))
     if geometry.shape != "mesh" or geometry.shape_element is None:
-        raise DescriptionError(
-            "its inertia cannot be computed: the collision is not a solid", collision.element
-        )
+        raise DescriptionError("its inertia cannot be computed: the collision is not a solid", collision)
 
     try:
         return mesh_body(geometry.shape_element, density)
@@ -188,15 +162,11 @@ def _filled(collision: Collision, density: float) -> MassProperties:
         raise DescriptionError(f"its inertia cannot be computed: {error}", geometry.shape_element) from None
 
 
-def of_model(model: Model) -> MassProperties | None:
-    """All links of a model and of the models in it, in its frame, all joints at zero; None without any mass."""
+def joined(bodies: Iterable[MassProperties | None]) -> MassProperties | None:
+    """Bodies of one frame, as far as they are known, rigidly joined; None if there are none."""
     total: MassProperties | None = None
-    for link in model.all_links():
-        body = of_link(link)
-        if body is None and not link.is_urdf:
-            body = default_mass()
+    for body in bodies:
         if body is not None:
-            body = body.seen_from(model.root.poses.reached(model, link))
             total = body if total is None else total.joined_with(body)
     return total
 

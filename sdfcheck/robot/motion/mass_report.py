@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sdfcheck.robot.graph import Model, Scope
+from sdfcheck.robot.graph import Link, Model, Scope
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.poses import PoseError, written_pose
-from sdfcheck.robot.motion.rotations import Array
-from sdfcheck.robot.parts.link import Link
+from sdfcheck.robot.motion.mass import MassProperties, joined
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, written_pose
 from sdfcheck.source.errors import DescriptionError
-
-if TYPE_CHECKING:
-    from sdfcheck.robot.root import Root
 
 
 class MassOrigin(Enum):
@@ -89,23 +84,23 @@ class MassReport:
             yield from model.walk()
 
 
-def mass_report(root: Root) -> MassReport:
-    """Measure what a file describes.
+def mass_report(scopes: Sequence[Scope]) -> MassReport:
+    """Measure what a file describes: the worlds and models at its top.
 
     Raises DescriptionError for a URDF whose numbers cannot be read.
     """
-    if root.is_urdf:
-        model = _urdf_model(root)
+    robot = scopes[0] if scopes else None
+    if isinstance(robot, Model) and robot.is_urdf:
+        model = _urdf_model(robot)
         return MassReport((model,), model.total)
-    return _Reader().read(root)
+    return _Reader().read(scopes)
 
 
 class _Reader:
-    def read(self, whole: Root) -> MassReport:
+    def read(self, roots: Sequence[Scope]) -> MassReport:
         models: list[ModelMass] = []
         moving: list[MassProperties | None] = []
         notes: list[str] = []
-        roots = whole.scopes
         for root in roots:
             if isinstance(root, Model):
                 measured = self.model(root, root.name)
@@ -118,12 +113,12 @@ class _Reader:
             models += found
             moving += [body for model, body in zip(found, bodies, strict=True) if not model.is_static]
             notes += missing
-        return MassReport(tuple(models), _joined(moving), tuple(notes))
+        return MassReport(tuple(models), joined(moving), tuple(notes))
 
     def model(self, scope: Model, name: str) -> ModelMass:
         links = tuple(map(self.link, (node for node in scope.nodes.values() if isinstance(node, Link))))
         models, bodies, notes = self.inner(scope, f"{name}::")
-        total = _joined([*(link.body for link in links), *bodies])
+        total = joined([*(link.body for link in links), *bodies])
         return ModelMass(name, scope.is_static, links, tuple(models), total, tuple(notes))
 
     def inner(
@@ -166,10 +161,10 @@ class _Reader:
         return LinkMass(name, origin, body.seen_from(pose))
 
 
-def _urdf_model(root: Root) -> ModelMass:
-    robot = mechanism_of(root.models[0])
+def _urdf_model(model: Model) -> ModelMass:
+    robot = mechanism_of(model)
     links = tuple(_of_urdf(link.name, link.body, link.pose) for link in robot.links.values())
-    return ModelMass(robot.name, False, links, (), _joined([link.body for link in links]))
+    return ModelMass(robot.name, False, links, (), joined([link.body for link in links]))
 
 
 def _of_urdf(name: str, body: MassProperties | None, pose: Array) -> LinkMass:
@@ -180,11 +175,3 @@ def _of_urdf(name: str, body: MassProperties | None, pose: Array) -> LinkMass:
 
 def _placed(body: MassProperties | None, pose: Array) -> MassProperties | None:
     return None if body is None else body.seen_from(pose)
-
-
-def _joined(bodies: list[MassProperties | None]) -> MassProperties | None:
-    total: MassProperties | None = None
-    for body in bodies:
-        if body is not None:
-            total = body if total is None else total.joined_with(body)
-    return total

@@ -1,7 +1,7 @@
 """A model as physics sees it, as numbers: links and joints of the model and of all models in it by name.
 
 Lengths in m, angles in rad, masses in kg, moments in kg·m². Transforms are 4×4 arrays
-(:mod:`sdfcheck.robot.motion.rotations`). The zero configuration is the one in which the file
+(:mod:`sdfcheck.robot.motion.poses`). The zero configuration is the one in which the file
 places its links.
 """
 
@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, field
 
 from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.rotations import Array
+from sdfcheck.robot.motion.poses import Array
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 

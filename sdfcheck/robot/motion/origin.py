@@ -6,25 +6,19 @@ Without numpy: lint merges links with it, and numpy takes longer to load than mo
 from __future__ import annotations
 
 import math
-from contextlib import suppress
-from typing import TYPE_CHECKING, TypeAlias, cast
+from typing import TypeAlias
 
 from sdfcheck.formats.sdf.values import floats
-from sdfcheck.robot.parts.solids import Moments
+from sdfcheck.robot.solids import Moments
 from sdfcheck.source.document import Element
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
-if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Model, Node
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.robot.parts.link import Link
-
 Triple: TypeAlias = tuple[float, float, float]
+
+
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
 
-_DEEPEST = 200
-"""Joints above one that are followed."""
 
 UNTURNED: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -66,6 +60,10 @@ class Origin(NamedTuple):
         return Moments(ixx, iyy, izz, ixy, ixz, iyz)
 
 
+class PoseError(DescriptionError):
+    """A pose that cannot be worked out: an unknown frame, a ring, a value that is not a pose."""
+
+
 def origin_in(element: Element) -> Origin:
     """The pose that an element's ``origin`` writes; no displacement without one.
 
@@ -98,47 +96,6 @@ def pose_in(pose: Element | None) -> Origin:
     if attributes.get("degrees", "").strip().lower() in {"true", "1"}:
         turn = [math.radians(angle) for angle in turn]
     return Origin(of_rpy(*turn), (x, y, z))
-
-
-def in_model(joint: Joint) -> Origin | None:
-    """Where a joint is in its model, all joints at zero; None where it hangs on nothing. Raises DescriptionError."""
-    if joint.child_link is None or joint.model is None:
-        return None
-    if not joint.is_urdf:
-        return _in_sdf(joint)
-    parent = joint.parent_link
-    frame = Origin() if parent is None else joint.model.poses_at_rest.get(parent)
-    return None if frame is None else frame.followed_by(origin_in(joint.element))
-
-
-def links_at_rest(model: Model) -> dict[Link, Origin]:
-    """The poses of the links of a robot of URDF in its root, all joints at zero; those that are known."""
-    tree = model.tree
-    found: dict[Link, Origin] = {}
-    waiting = [(root, Origin()) for root in tree.roots]
-    while waiting:
-        link, pose = waiting.pop()
-        found[link] = pose
-        for joint in tree.children.get(link, ()):
-            child = joint.child_link
-            if child is not None and tree.parents[child][0] is joint:
-                with suppress(DescriptionError):
-                    waiting.append((child, pose.followed_by(origin_in(joint.element))))
-    return found
-
-
-def _in_sdf(joint: Joint) -> Origin | None:
-    """The same in SDFormat, as far as it is relative to what is in the same model."""
-    found, at = Origin(), cast("Node", joint)
-    for _ in range(_DEEPEST):
-        found = pose_in(at.pose_element).followed_by(found)
-        base = at.base
-        if base is None or base is joint.scope:
-            return found if base is not None or not at.base_name else None
-        if base.scope is not joint.scope or base.kind == "model":
-            return None
-        at = base
-    return None
 
 
 def of_rpy(roll: float, pitch: float, yaw: float) -> Rows:

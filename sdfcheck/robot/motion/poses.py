@@ -7,19 +7,138 @@ applies them to documents of every version.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Sequence
+from typing import Any, Protocol, cast
 
 import numpy as np
+import numpy.typing as npt
 
-from sdfcheck.robot.motion.origin import origin_in, pose_in
-from sdfcheck.robot.motion.rotations import Array, inverse, to_rpy, transform
+from sdfcheck.robot.motion.origin import Origin, PoseError, of_quaternion, of_rpy, origin_in, pose_in
 from sdfcheck.robot.values import reference_of
+from sdfcheck.source.document import Element
 from sdfcheck.source.errors import DescriptionError
 
-if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Model, Node, Part, Scope
-    from sdfcheck.robot.parts.joint import Joint
-    from sdfcheck.source.document import Element
+# Rotations and transforms as plain numpy arrays.
+#
+# A transform is a 4×4 array that takes points of the inner frame to the outer one. Angles are in radians;
+# roll, pitch and yaw are turns about fixed x, y and z axes, in that order, as SDFormat and URDF have them.
+
+
+Array = npt.NDArray[np.float64]
+
+
+_POLE = 1e-9
+"""Below this cosine of the pitch, roll and yaw turn about one axis and only their sum is determined."""
+
+
+def from_rpy(roll: float, pitch: float, yaw: float) -> Array:
+    """The 3×3 rotation of roll, pitch, yaw (rad)."""
+    return np.array(of_rpy(roll, pitch, yaw))
+
+
+def to_rpy(rotation: Array) -> tuple[float, float, float]:
+    """Roll, pitch, yaw (rad) of a 3×3 rotation; exact up to the poles, where the yaw is 0."""
+    across = math.hypot(rotation[0, 0], rotation[1, 0])
+    pitch = math.atan2(-rotation[2, 0], across)
+    if across < _POLE:
+        return math.atan2(-rotation[1, 2], rotation[1, 1]), pitch, 0.0
+    roll = math.atan2(rotation[2, 1], rotation[2, 2])
+    return roll, pitch, math.atan2(rotation[1, 0], rotation[0, 0])
+
+
+def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
+    """The 3×3 rotation of a quaternion, normalized first; of the zero quaternion, no rotation."""
+    return np.array(of_quaternion(x, y, z, w))
+
+
+def about_axis(axis: Sequence[float] | Array, angle: float | Array) -> Array:
+    """The 3×3 rotation by an angle (rad) about an axis of unit length; of many, shapes (…, 3) and (…)."""
+    x, y, z = np.moveaxis(np.asarray(axis, dtype=float), -1, 0)
+    cross = np.zeros((*x.shape, 3, 3))
+    cross[..., 2, 1], cross[..., 0, 2], cross[..., 1, 0] = x, y, z
+    cross -= cross.swapaxes(-1, -2)
+    angles = np.asarray(angle)[..., None, None]
+    return np.asarray(np.eye(3) + np.sin(angles) * cross + 2 * np.sin(angles / 2) ** 2 * (cross @ cross))
+
+
+def z_towards(direction: Array) -> Array:
+    """The 3×3 rotation that turns z the shortest way into a direction of unit length."""
+    across = np.cross((0.0, 0.0, 1.0), direction)
+    length = float(np.linalg.norm(across))
+    axis = across / length if length > 1e-12 else np.array((1.0, 0.0, 0.0))
+    return about_axis(axis, math.atan2(length, float(direction[2])))
+
+
+def transform(rotation: Array, position: Sequence[float] | Array) -> Array:
+    """The 4×4 transform of a rotation and a position (m); of many, shapes (…, 3, 3) and (…, 3)."""
+    result = np.zeros((*np.shape(rotation)[:-2], 4, 4))
+    result[..., :3, :3] = rotation
+    result[..., :3, 3] = position
+    result[..., 3, 3] = 1
+    return result
+
+
+def inverse(of: Array) -> Array:
+    """The inverse of a 4×4 transform, or of many, shape (…, 4, 4)."""
+    back = of[..., :3, :3].swapaxes(-1, -2)
+    result = np.zeros(of.shape)
+    result[..., :3, :3] = back
+    result[..., :3, 3] = -(back @ of[..., :3, 3:])[..., 0]
+    result[..., 3, 3] = 1
+    return result
+
+
+def angle_between(a: Array, b: Array) -> float:
+    """The angle (rad) between two 3×3 rotations, precise also where it is tiny."""
+    return float(angles_between(a, b))
+
+
+def angles_between(a: Array, b: Array) -> Array:
+    """The angles (rad) between rotations, shape (…, 3, 3)."""
+    chords = np.linalg.norm(a - b, axis=(-2, -1)) / (2 * math.sqrt(2))
+    return np.asarray(2 * np.arcsin(np.minimum(1.0, chords)))
+
+
+# What the pose of a link, joint, frame, model or world depends on.
+
+
+class Placed(Protocol):
+    """A link, joint, frame, model or world; what is said of each is said of nodes in :mod:`sdfcheck.robot.part`."""
+
+    element: Element
+    is_urdf: bool
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def is_scope(self) -> bool: ...
+    @property
+    def scope(self) -> Scoped: ...
+    @property
+    def scope_around(self) -> Scoped | None: ...
+    @property
+    def base(self) -> Placed | None: ...
+    @property
+    def base_name(self) -> str: ...
+    @property
+    def urdf_base(self) -> tuple[Placed | None, Element | None]: ...
+    @property
+    def pose_element(self) -> Element | None: ...
+    @property
+    def placement_frame(self) -> str: ...
+    @property
+    def unmerged(self) -> Placed: ...
+    def look_up(self, reference: str) -> Placed | None: ...
+
+
+class Scoped(Placed, Protocol):
+    """A model or world."""
+
+    @property
+    def own_name(self) -> str: ...
+    def resolve(self, reference: str) -> Placed | None: ...
 
 
 # Poses as values: a position and a rotation.
@@ -83,45 +202,6 @@ class Pose:
         return f"Pose({numbers!r})"
 
 
-def resolved(node: Node, relative_to: str | Node | None) -> Pose:
-    """The pose of a node relative to another, or to the one that a reference, written beside it, names."""
-    poses, scope = node.root.poses, node.scope_around
-    if scope is None:
-        own = poses.in_scope(node)
-        if relative_to in {None, "world"} or relative_to is node.root.outside:
-            return Pose(own)
-        base = node if relative_to is node else _named(node, relative_to)
-        return Pose(inverse(poses.reached(cast("Scope", node), base)) if node.is_scope else own)
-    if relative_to is None:
-        return Pose(poses.in_scope(node).copy())
-    top = scope
-    while top.scope_around is not None:
-        top = top.scope_around
-    pose = poses.reached(top, node)
-    if relative_to == "world" or relative_to in (top, node.root.outside):
-        outer = np.eye(4) if top.kind == "world" else poses.in_scope(top)
-        return Pose(outer @ pose if relative_to != top else pose)
-    return Pose(inverse(poses.reached(top, _named(node, relative_to))) @ pose)
-
-
-def _named(node: Node, reference: str | Node | None) -> Node:
-    if reference is not None and not isinstance(reference, str):
-        return reference
-    is_outermost = node.is_scope and node.scope_around is None
-    scope = cast("Scope", node) if is_outermost else node.scope
-    found = scope.resolve(reference or "")
-    if found is None:
-        raise PoseError(f"there is no frame {reference!r} in {scope.name}", node.element)
-    return found
-
-
-def of_part(part: Part, holder: Node | None, relative_to: str | None) -> Pose:
-    """The pose of a visual, sensor or light in what it is on, or relative to what a reference names there."""
-    if holder is None:
-        return Pose(written_pose(part.find("pose")))
-    return Pose(_pose_of_part(part, holder, relative_to))
-
-
 def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
     (a, b, c), (d, e, f), (g, h, i) = rotation.tolist()
     w = math.sqrt(max(0.0, 1 + a + e + i)) / 2
@@ -130,10 +210,6 @@ def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
     z = math.copysign(math.sqrt(max(0.0, 1 - a - e + i)) / 2, d - b)
     length = math.sqrt(x * x + y * y + z * z + w * w)
     return x / length, y / length, z / length, w / length
-
-
-class PoseError(DescriptionError):
-    """A pose that cannot be worked out: an unknown frame, a ring, a value that is not a pose."""
 
 
 def written_pose(pose: Element | None) -> Array:
@@ -161,17 +237,52 @@ class Poses:
     """The poses of the nodes of one description, worked out when asked for and kept."""
 
     def __init__(self) -> None:
-        self._known: dict[Node, Array | DescriptionError] = {}
-        self._open: set[Node] = set()
+        self._known: dict[Placed, Array | DescriptionError] = {}
+        self._open: set[Placed] = set()
 
-    def in_scope(self, node: Node) -> Array:
+    def of_node(self, node: Placed, relative_to: str | Placed | None) -> Pose:
+        """The pose of a node relative to another, or to the one that a reference, written beside it, names.
+
+        ``"world"`` is the outermost model or world.
+        """
+        scope = node.scope_around
+        if scope is None:
+            own = self.in_scope(node)
+            if relative_to is None or relative_to == "world" or not node.is_scope:
+                return Pose(own)
+            outermost = cast("Scoped", node)
+            return Pose(inverse(self.reached(outermost, _named(outermost, relative_to, node))))
+        if relative_to is None:
+            return Pose(self.in_scope(node).copy())
+        top = scope
+        while top.scope_around is not None:
+            top = top.scope_around
+        pose = self.reached(top, node)
+        if relative_to == "world" and top.kind != "world":
+            return Pose(self.in_scope(top) @ pose)
+        if relative_to in ("world", top):
+            return Pose(pose)
+        return Pose(inverse(self.reached(top, _named(node.scope, relative_to, node))) @ pose)
+
+    def of_part_in(self, part: Element | None, holder: Placed | None, relative_to: str | None) -> Pose:
+        """The pose of a part, if it is written, in what it is on, or relative to what a reference names there."""
+        if holder is None:
+            return Pose(written_pose(None if part is None else part.find("pose")))
+        pose = np.eye(4) if part is None else self.of_part(part, holder)
+        if relative_to is None:
+            return Pose(pose)
+        scope = holder.scope
+        base = np.eye(4) if relative_to == scope.own_name else self.named(scope, relative_to)
+        return Pose(inverse(base) @ self.reached(scope, holder) @ pose)
+
+    def in_scope(self, node: Placed) -> Array:
         """The 4×4 pose of a node in the frame of the model or world that it is in.
 
         Raises PoseError where it leads nowhere.
         """
         # Chains may be long: they are resolved from their far end, so that nothing recurs deeply.
-        chain: dict[Node, None] = {}
-        at: Node | None = node
+        chain: dict[Placed, None] = {}
+        at: Placed | None = node
         while at is not None and at not in self._known and at not in chain:
             chain[at] = None
             at = self._leads_to(at)
@@ -182,11 +293,11 @@ class Poses:
             raise pose
         return pose
 
-    def named(self, scope: Scope, reference: str) -> Array:
+    def named(self, scope: Scoped, reference: str) -> Array:
         """The pose, in a scope's own frame, of what a reference names there."""
         return self._of(scope, scope.resolve(reference), reference)
 
-    def reached(self, scope: Scope, node: Node) -> Array:
+    def reached(self, scope: Scoped, node: Placed) -> Array:
         """The pose, in a scope's own frame, of the scope itself, a node in it, or one in a nested model of it."""
         if node is scope:
             return np.eye(4)
@@ -199,7 +310,7 @@ class Poses:
             at = at.scope
         return pose
 
-    def of_part(self, part: Element, holder: Node) -> Array:
+    def of_part(self, part: Element, holder: Placed) -> Array:
         """The pose of a visual, collision, sensor, light or inertial in the frame of its link or joint."""
         if holder.is_urdf and part.name != "sensor":
             return origin_of(part)
@@ -210,7 +321,7 @@ class Poses:
         base = self._of(holder.scope, holder.look_up(reference), reference)
         return inverse(self.in_scope(holder)) @ base @ written_pose(pose)
 
-    def _settle(self, node: Node) -> None:
+    def _settle(self, node: Placed) -> None:
         if node in self._known:
             return
         if node in self._open:
@@ -223,17 +334,17 @@ class Poses:
         finally:
             self._open.discard(node)
 
-    def _leads_to(self, node: Node) -> Node | None:
+    def _leads_to(self, node: Placed) -> Placed | None:
         """The node that the pose of a node is relative to; None if that is its scope, or unknown."""
-        base = urdf_base(node)[0] if is_in_urdf(node) else node.base
+        base = node.urdf_base[0] if is_in_urdf(node) else node.base
         return None if base is node.scope else base
 
-    def _of(self, scope: Scope, node: Node | None, reference: str) -> Array:
+    def _of(self, scope: Scoped, node: Placed | None, reference: str) -> Array:
         if node is None:
             raise PoseError(f"there is no frame {reference!r} in {scope.name}", scope.element)
         return self.reached(scope, node)
 
-    def _resolve(self, node: Node) -> Array:
+    def _resolve(self, node: Placed) -> Array:
         if is_in_urdf(node):
             return self._resolve_urdf(node)
         base = np.eye(4)
@@ -241,39 +352,34 @@ class Poses:
             base = self._of(node.scope, node.base, node.base_name)
         result = base @ written_pose(node.pose_element)
         inside = node.unmerged
-        if inside.kind == "model" and (frame := cast("Model", inside).placement_frame):
-            result = result @ inverse(self.named(cast("Model", inside), frame))
+        if inside.placement_frame:
+            result = result @ inverse(self.named(cast("Scoped", inside), inside.placement_frame))
         return result
 
-    def _resolve_urdf(self, node: Node) -> Array:
+    def _resolve_urdf(self, node: Placed) -> Array:
         """Of a link: where its first joint puts it, all joints at zero; a joint is where its child is."""
-        base, joint = urdf_base(node)
+        base, joint = node.urdf_base
         if base is None and node.kind == "joint":
             raise PoseError(f"joint {node.name} has no child", node.element)
         above = np.eye(4) if base is None or base is node.scope else self.in_scope(base)
-        return above if joint is None else above @ origin_of(joint.element)
+        return above if joint is None else above @ origin_of(joint)
 
 
-def is_in_urdf(node: Node) -> bool:
+def is_in_urdf(node: Placed) -> bool:
     """Is it a link or joint of a URDF robot?"""
     return node.is_urdf and node.kind in {"link", "joint"}
 
 
-def urdf_base(node: Node) -> tuple[Node | None, Joint | None]:
-    """The node that a URDF link or joint is placed at, and the joint whose origin leads from there to it."""
-    if node.kind == "joint":
-        return cast("Joint", node).child, None
-    for joint in node.parent_joints:  # type: ignore[attr-defined]
-        return joint.parent, joint
-    return node.merged or node.scope, None
+def _named(scope: Scoped, reference: str | Placed, node: Placed) -> Placed:
+    if not isinstance(reference, str):
+        return reference
+    found = scope.resolve(reference)
+    if found is None:
+        raise PoseError(f"there is no frame {reference!r} in {scope.name}", node.element)
+    return found
 
 
-def _pose_of_part(part: Part, holder: Node, relative_to: str | None) -> Array:
-    """The pose of a part in the frame of its holder, or relative to what a reference in it names."""
-    poses = holder.root.poses
-    pose = poses.of_part(part.element, holder) if part.is_given else np.eye(4)
-    if relative_to is None:
-        return pose
-    scope = holder.scope
-    base = np.eye(4) if relative_to == scope.own_name else poses.named(scope, relative_to)
-    return inverse(base) @ poses.reached(scope, holder) @ pose
+def origin_from(transform: Array) -> Origin:
+    """A 4×4 transform in plain numbers."""
+    (a, b, c, x), (d, e, f, y), (g, h, i, z), _ = transform.tolist()
+    return Origin(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))

@@ -12,6 +12,7 @@ from sdfcheck.formats.vendor import used_tables
 from sdfcheck.formats.vendor.definitions import Slot
 from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.naming.references import references
+from sdfcheck.robot.part import Namespace
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.robot.vendor.tags import owner_of
 from sdfcheck.robot.vendor.tags import values as vendor_values
@@ -20,7 +21,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.graph import Node, Part
+    from sdfcheck.robot.part import Node, Part
 
 _NAMED = ("World", "Model", "Link", "Joint", "Frame")
 
@@ -217,7 +218,7 @@ def name_refusal(kind: str, name: str) -> str | None:
     return None
 
 
-def taken_by(scope: Scope, kind: str, name: str) -> Node | None:
+def taken_by(scope: Namespace, kind: str, name: str) -> Node | None:
     """The link, joint, frame or model of a scope that has a name already, for a part of this kind."""
     there = scope.nodes.get(name)
     if there is None and kind == "joint" and isinstance(scope, Model) and scope.is_urdf:

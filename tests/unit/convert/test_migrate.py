@@ -17,7 +17,7 @@ from sdfcheck.formats.problems import UnknownElement
 from sdfcheck.formats.sdf.structure import structure_problems
 from sdfcheck.formats.sdf.survey import problems
 from sdfcheck.formats.version import Version
-from sdfcheck.robot.motion.poses import PoseError
+from sdfcheck.robot.motion.origin import PoseError
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.errors import DescriptionError
 from tests.golden import assert_as_in

@@ -7,7 +7,7 @@ from collections import defaultdict
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.graph import Part
+from sdfcheck.robot.part import Part
 
 TEXT = """<sdf version="1.12"><world name="w">{world}<physics type="ode">{physics}</physics>
   <light name="i" type="spot">{light}</light>

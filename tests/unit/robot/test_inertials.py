@@ -9,7 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.lint.expanded import parts_in_macros
-from sdfcheck.robot.parts.link import Inertial
+from sdfcheck.robot.graph import Inertial
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind

@@ -17,7 +17,7 @@ BOX = "<collision name='c'><geometry><box><size>1 2 3</size></box></geometry>{}<
 
 
 def measured(folder: Path, content: str, **files: str) -> MassReport:
-    return mass_report(root_of(document(folder, f'<sdf version="1.12">{content}</sdf>', **files)))
+    return mass_report(root_of(document(folder, f'<sdf version="1.12">{content}</sdf>', **files)).scopes)
 
 
 def test_links_and_total_are_in_the_models_frame(tmp_path: Path) -> None:
@@ -148,7 +148,7 @@ def test_a_urdf_link_without_inertial_has_no_mass(tmp_path: Path) -> None:
         '<origin xyz="0 0 1"/></joint></robot>'
     )
     write(tmp_path, {"r.urdf": urdf})
-    report = mass_report(root_of(opened(tmp_path / "r.urdf")))
+    report = mass_report(root_of(opened(tmp_path / "r.urdf")).scopes)
     base, arm = report.models[0].links
     assert base.origin is MassOrigin.NONE
     assert arm.body is not None

@@ -10,10 +10,10 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.robot.graph import Placement
 from sdfcheck.robot.motion.flatten import direction_of
-from sdfcheck.robot.motion.poses import PoseError, Poses, written_pose
-from sdfcheck.robot.motion.rotations import Array, from_rpy, transform
+from sdfcheck.robot.motion.origin import PoseError
+from sdfcheck.robot.motion.poses import Array, Poses, from_rpy, transform, written_pose
+from sdfcheck.robot.part import Placement
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, read
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.motion.rotations import (
+from sdfcheck.robot.motion.poses import (
     about_axis,
     angle_between,
     from_quaternion,

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.parts.solids import Solid
+from sdfcheck.robot.solids import Solid
 
 
 def test_an_element_before_the_shape_in_sdf_is_not_the_shape() -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.robot.parts.joint import Axis, Limit
+from sdfcheck.robot.graph import Axis, Limit
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import sdfcheck
-from sdfcheck.robot.parts.control import ControlComponent
+from sdfcheck.robot.graph import ControlComponent
 
 LINKS = "".join(f'<link name="{name}"/>' for name in "abcd")
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'

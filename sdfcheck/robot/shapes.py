@@ -1,24 +1,21 @@
-"""Shapes and materials: what is seen of a link, and what it touches others with."""
+"""Shapes and materials by themselves: what they are, and how large."""
 
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
-from sdfcheck.robot.graph import Model, Part
-from sdfcheck.robot.parts import solids
-from sdfcheck.robot.values import Number, Vector, lazy, number
+from sdfcheck.bodies.box import Box
+from sdfcheck.robot import solids
+from sdfcheck.robot.part import Part
+from sdfcheck.robot.values import Number, Vector, lazy
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.mesh import Mesh
-    from sdfcheck.robot.motion.poses import Pose
-    from sdfcheck.robot.motion.rotations import Array
-    from sdfcheck.robot.parts.link import Link
-    from sdfcheck.robot.parts.plugin import Plugin
-    from sdfcheck.robot.parts.solids import Solid
+    from sdfcheck.robot.motion.poses import Array
+    from sdfcheck.robot.solids import Solid
     from sdfcheck.source.document import Element, Value
 
 
@@ -81,18 +78,6 @@ class Material(Part):
             None if color is None else tuple(color) or color.text,
             self.texture if self.has("texture") else None,
         )
-
-    @property
-    def defined(self) -> Material:
-        """In URDF: the first material of its name that says what it looks like; the others of that name do not count.
-
-        Without one, and without a name, it is the material itself.
-        """
-        model = self.within(Model)
-        if model is None or not self.name:
-            return self
-        found = model.material_names.defined.get(self.name, self)
-        return found if found.has_look else self
 
 
 _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {
@@ -201,10 +186,30 @@ class Geometry(Part):
 
     @lazy
     def box(self) -> Box | None:
-        """The box around it along its own axes (m), in plain numbers; None where its size is not known."""
-        from sdfcheck.robot.motion.bounds import of_geometry
+        """The box around it along its own axes (m), in plain numbers; of what is round, around its own axes.
 
-        return of_geometry(self)
+        None for planes, submeshes, meshes that are not there, and what cannot be read.
+        """
+        if self.shape == "mesh":
+            mesh, scale = self.mesh, self.scale
+            if mesh is None or mesh.bounds is None or len(scale) != 3:
+                return None
+            scaled = mesh.bounds.scaled(scale)
+            return scaled if scaled.diagonal < float("inf") else None
+        if self.solid is None:
+            return None
+        from sdfcheck.bodies.box import Box
+
+        radius, half = float(self.radius), float(self.length) / 2
+        found: tuple[float, ...] | None = {
+            "box": tuple(size / 2 for size in self.size),
+            "sphere": (radius, radius, radius),
+            "ellipsoid": tuple(self.radii),
+            "cylinder": (radius, radius, half),
+            "cone": (radius, radius, half),
+            "capsule": (radius, radius, half + radius),
+        }.get(self.shape)
+        return None if found is None else Box(tuple(-length for length in found), found)
 
     @property
     def measures(self) -> tuple[float, ...]:
@@ -279,104 +284,6 @@ def _is_beside(path: Path, name: str) -> bool:
     return is_there(name) or all(map(is_there, name.split()))
 
 
-class Surface(Part):
-    """How a collision slides and bounces."""
-
-    __slots__ = ()
-    kind = "surface"
-
-
-class Shape(Part):
-    """A visual or a collision of a link."""
-
-    __slots__ = ()
-
-    @property
-    def link(self) -> Link:
-        """The link that it belongs to."""
-        return cast("Link", self.holder)
-
-    @lazy
-    def geometry(self) -> Geometry:
-        """Its shape."""
-        return self._only("geometry", Geometry)
-
-    @property
-    def plugins(self) -> tuple[Plugin, ...]:
-        return () if self.is_urdf else tuple(self._parts("plugin"))
-
-    @property
-    def position(self) -> tuple[float, float, float] | None:
-        """Where its origin is in the link's frame (m); None where its pose alone does not determine that."""
-        return self.written_position
-
-    @property
-    def along(self) -> tuple[float, float, float] | None:
-        """The direction of its z axis in its link's frame; None where that cannot be worked out."""
-        from sdfcheck.robot.motion.bounds import placement_of
-        from sdfcheck.source.errors import DescriptionError
-
-        try:
-            return placement_of(self, self.link).turned((0.0, 0.0, 1.0))
-        except DescriptionError:
-            return None
-
-    @lazy
-    def box(self) -> Box | None:
-        """The box around it in its link's frame (m), in plain numbers; None where size or place is not known."""
-        from sdfcheck.robot.motion.bounds import of_shape
-
-        return of_shape(self)
-
-    @property
-    def bounds(self) -> Array | None:
-        """The box around it in its link's frame: lowest and highest x, y, z (m), shape (2, 3).
-
-        Of round shapes and of meshes the box around their own axes counts. None where size or place is not
-        known: of planes, submeshes, and meshes that are not found or cannot be read.
-        """
-        from sdfcheck.robot.motion.bounds import as_array
-
-        return as_array(self.box)
-
-    def pose(self, relative_to: str | None = None) -> Pose:
-        """Its pose in the link's frame, or relative to what a reference names; raises PoseError."""
-        from sdfcheck.robot.motion.poses import of_part
-
-        return of_part(self, self.link, relative_to)
-
-
-class Visual(Shape):
-    """The visible shape of a link."""
-
-    __slots__ = ()
-    kind = "visual"
-
-    @lazy
-    def material(self) -> Material:
-        """Its material; in URDF the one that counts for its name."""
-        return self.own_material.defined if self.is_urdf else self.own_material
-
-    @lazy
-    def own_material(self) -> Material:
-        """Its material as it is written in it, maybe only a name."""
-        return self._only("material", Material)
-
-
-class Collision(Shape):
-    """The shape of a link that touches other things."""
-
-    __slots__ = ()
-    kind = "collision"
-
-    @lazy
-    def surface(self) -> Surface:
-        """How it slides and bounces, in SDFormat."""
-        return self._only("surface", Surface)
-
-    density = number("density", 1000.0, "kg/m³, for an automatic inertia.")
-
-
 def _count(numbers: Vector, count: int) -> Vector:
     if len(numbers) != count or not numbers.is_given:
         raise ValueError(numbers.text)
@@ -389,3 +296,17 @@ def shape_in(geometry: Element) -> Element | None:
     if first is None or ":" not in first.name:
         return first
     return next((child for child in geometry.children() if ":" not in child.name), first)
+
+
+class Surface(Part):
+    """How a collision slides and bounces."""
+
+    __slots__ = ()
+    kind = "surface"
+
+
+def as_array(box: Box | None) -> Array | None:
+    """The lowest and highest x, y, z of a box, shape (2, 3)."""
+    import numpy as np
+
+    return None if box is None else np.array([box.low, box.high])
