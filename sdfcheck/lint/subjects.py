@@ -81,7 +81,7 @@ class Subjects:
         if self._elsewhere:
             return None
         if self._parts and not self._is_narrowed:
-            from sdfcheck.robot.graph import ELEMENTS
+            from sdfcheck.robot.root import ELEMENTS
 
             for name in self._parts:
                 if name not in ELEMENTS:

@@ -159,7 +159,7 @@ class Part:
     """Is it data with a prefix?"""
 
     holder: Part | None
-    root: Reading
+    root: Whole
     registry: Registry
     is_urdf: bool
     is_given: bool
@@ -416,7 +416,7 @@ def _three(text: str) -> tuple[float, float, float] | None:
 # The whole that parts are of.
 
 
-class Reading(Part):
+class Whole(Part):
     """One reading of a file: what the parts in it ask of it. The rest is in its :class:`sdfcheck.robot.root.Root`."""
 
     __slots__ = ("_document", "_each", "included")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sdfcheck.files.uris import Location
     from sdfcheck.robot.includes.included import Obstacle
     from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
-    from sdfcheck.robot.part import Reading
+    from sdfcheck.robot.part import Whole
     from sdfcheck.source.document import Document, Element, Value
 
 
@@ -208,7 +208,7 @@ def _own_package(document: Document) -> tuple[str, str] | None:
     return package_around(document.path)
 
 
-def resources_of(root: Reading) -> tuple[Resource, ...]:
+def resources_of(root: Whole) -> tuple[Resource, ...]:
     """The resources that a file names, of the same elements one after the other."""
     index, found = root.elements, []
     for value in filter(_is_literal, _named_in_urdf(index) if root.is_urdf else _named_in_sdf(index)):

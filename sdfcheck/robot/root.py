@@ -39,7 +39,7 @@ from sdfcheck.robot.graph import (
     Visual,
     World,
 )
-from sdfcheck.robot.part import Custom, Frame, Node, Part, Placement, Reading, Setting, pick
+from sdfcheck.robot.part import Custom, Frame, Node, Part, Placement, Setting, Whole, pick
 from sdfcheck.robot.resources import Resource
 from sdfcheck.robot.shapes import Geometry, Material, Surface
 from sdfcheck.robot.values import lazy, reference_value
@@ -236,7 +236,7 @@ URDF_VERSIONS = ("1.0", "1.1", "1.2")
 """The versions of URDF that urdfdom takes, the oldest first."""
 
 
-class Root(Reading):
+class Root(Whole):
     """A whole file: its worlds, and the models, lights and actors that are in none. A URDF file is one model."""
 
     __slots__ = ()

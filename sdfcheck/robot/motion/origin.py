@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from typing import TypeAlias
 
-from sdfcheck.formats.sdf.values import floats
 from sdfcheck.robot.solids import Moments
 from sdfcheck.source.document import Element
 from sdfcheck.source.errors import DescriptionError
@@ -85,6 +84,8 @@ def pose_in(pose: Element | None) -> Origin:
     """
     if pose is None or not pose.content:
         return Origin()
+    from sdfcheck.formats.sdf.values import floats
+
     numbers = floats(pose.content)
     attributes = pose.attributes
     is_quaternion = attributes.get("rotation_format", "").strip() == "quat_xyzw"

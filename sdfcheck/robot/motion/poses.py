@@ -99,7 +99,7 @@ def angles_between(a: Array, b: Array) -> Array:
     return np.asarray(2 * np.arcsin(np.minimum(1.0, chords)))
 
 
-# What the pose of a link, joint, frame, model or world depends on.
+# Nodes, as far as their poses depend on them.
 
 
 class Placed(Protocol):

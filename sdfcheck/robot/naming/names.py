@@ -21,7 +21,7 @@ from sdfcheck.source.text import pattern
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from sdfcheck.robot.part import Reading
+    from sdfcheck.robot.part import Whole
 
 
 # Names in the ``<gazebo>`` blocks of a URDF robot: they are siblings of those in what the block is about.
@@ -31,7 +31,7 @@ _MERGED = frozenset({"plugin", "visual", "collision"})
 """In a block these share names freely: a shape there is what is added to those of the link."""
 
 
-def extension_names(root: Reading) -> dict[Element, list[Name]]:
+def extension_names(root: Whole) -> dict[Element, list[Name]]:
     """Element → the names that the blocks add to it; an element in a block, or what the block is about."""
     found: dict[Element, list[Name]] = {}
     for parent, children in survey(root.document).named.items():
@@ -46,7 +46,7 @@ def extension_names(root: Reading) -> dict[Element, list[Name]]:
     return found
 
 
-def extended_namesakes(root: Reading, given: Iterable[Name]) -> list[Namesakes]:
+def extended_namesakes(root: Whole, given: Iterable[Name]) -> list[Namesakes]:
     """The names in blocks that siblings have already; ``given`` are those of the robot's links and joints."""
     found: list[Namesakes] = []
     for parent, names in extension_names(root).items():
@@ -67,7 +67,7 @@ def _is_dropped(name: Name) -> bool:
     return name.kind == "joint" and name.value.element.get("type") in UNCONVERTED
 
 
-def _subject(root: Reading, block: Element) -> Element:
+def _subject(root: Whole, block: Element) -> Element:
     """The link, joint or robot that a block is about."""
     from sdfcheck.robot.graph import GazeboBlock
 
@@ -162,7 +162,7 @@ _SINGLE_AT_ROOT = frozenset({"model", "light", "actor"})
 class Names:
     """The names that a file gives."""
 
-    def __init__(self, root: Reading) -> None:
+    def __init__(self, root: Whole) -> None:
         self.root = root
 
     @lazy
@@ -241,7 +241,7 @@ class Names:
         return found
 
 
-def _doubtful(root: Reading) -> Iterator[Element]:
+def _doubtful(root: Whole) -> Iterator[Element]:
     """The cheap question whose children may have names that something is wrong with."""
     named = root.named
     lines = (name for children in named.values() for kind, name, _ in children if kind != "plugin")
@@ -254,7 +254,7 @@ def _doubtful(root: Reading) -> Iterator[Element]:
             yield parent
 
 
-def _included(root: Reading) -> Iterator[Name]:
+def _included(root: Whole) -> Iterator[Name]:
     """The names that includes bring into their scopes, as far as they are known."""
     for include in root.elements.get("include", ()):
         from sdfcheck.robot.includes.included import included
@@ -273,7 +273,7 @@ def _included(root: Reading) -> Iterator[Name]:
             yield Name(found.kind or "model", found.name, value, parent)
 
 
-def _given_in_urdf(root: Reading) -> list[Name]:
+def _given_in_urdf(root: Whole) -> list[Name]:
     """The names of links, joints and materials of URDF."""
     from sdfcheck.formats.urdf.survey import survey as urdf_survey
 
@@ -286,7 +286,7 @@ def _given_in_urdf(root: Reading) -> list[Name]:
     ]
 
 
-def _of_urdf(root: Reading) -> Iterator[Name]:
+def _of_urdf(root: Whole) -> Iterator[Name]:
     """The same, unless they are surely all plain and different."""
     given = _given_in_urdf(root)
     # Links and joints share a name space as soon as libsdformat reads them.

@@ -11,7 +11,7 @@ from sdfcheck.robot.part import Node
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.robot.part import Part, Reading
+    from sdfcheck.robot.part import Part, Whole
     from sdfcheck.source.document import Element, Value
 
 _ATTRIBUTES = {
@@ -44,7 +44,7 @@ class Reference(NamedTuple):
     nodes: tuple[Node, ...]
 
 
-def references(root: Reading) -> Iterator[Reference]:
+def references(root: Whole) -> Iterator[Reference]:
     """The references of a file that name something, in no particular order."""
     for element, value in _values(root):
         scope = _scope(root, element)
@@ -67,14 +67,14 @@ def _in_state(holder: Element, scope: Scope) -> Iterator[Reference]:
                 yield from _in_state(part, nodes[-1])
 
 
-def _values(root: Reading) -> Iterator[tuple[Element, Value]]:
+def _values(root: Whole) -> Iterator[tuple[Element, Value]]:
     """Every text that may be a reference, and the element from which it looks."""
     yield from written(root)
     for plugin in root.each(Plugin):
         yield from _parameters(plugin)
 
 
-def written(root: Reading) -> Iterator[tuple[Element, Value]]:
+def written(root: Whole) -> Iterator[tuple[Element, Value]]:
     """Every text that the format takes for a reference, and the element from which it looks."""
     yield from _in_attributes(root)
     for name in _ELEMENTS:
@@ -87,7 +87,7 @@ def written(root: Reading) -> Iterator[tuple[Element, Value]]:
             yield placement, placement.own_value
 
 
-def _in_attributes(root: Reading) -> Iterator[tuple[Element, Value]]:
+def _in_attributes(root: Whole) -> Iterator[tuple[Element, Value]]:
     for name, attributes in (_URDF if root.is_urdf else _ATTRIBUTES).items():
         for element in root.elements.get(name, ()):
             for value in filter(None, map(element.attribute, attributes)):
@@ -101,7 +101,7 @@ def _in_attributes(root: Reading) -> Iterator[tuple[Element, Value]]:
                     yield block, name_value
 
 
-def _in_extensions(root: Reading) -> Iterator[tuple[Element, Value]]:
+def _in_extensions(root: Whole) -> Iterator[tuple[Element, Value]]:
     """The references of SDFormat in ``<gazebo>`` blocks."""
     for name in _IN_EXTENSIONS:
         for element in root.elements.get(name, ()):
@@ -119,7 +119,7 @@ def _parameters(plugin: Plugin) -> Iterator[tuple[Element, Value]]:
             yield plugin.element, element.own_value
 
 
-def _scope(root: Reading, element: Element) -> Scope | None:
+def _scope(root: Whole, element: Element) -> Scope | None:
     """The model or world in which a reference is looked up."""
     at: Part | None = root.part_of(element)
     if isinstance(at, Scope) and element.name == "model":
