@@ -20,10 +20,10 @@ from typing import Any, NamedTuple
 from lsprotocol import types
 
 from sdfcheck.lsp.answers import Answers
-from sdfcheck.lsp.completion.complete import complete
+from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.findings import Findings
-from sdfcheck.lsp.names.expanded import roots_of
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.names import roots_of
+from sdfcheck.lsp.rename import Refused
 from sdfcheck.lsp.speech import Speech, Units, path_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.root import root_of

@@ -2,31 +2,93 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from itertools import chain
 from json import dumps
+from pathlib import Path
 from typing import Any
 
 from lsprotocol import types
 
+from sdfcheck.files.regular import read_regular
 from sdfcheck.lsp.actions import Offer, fix_all, offers
-from sdfcheck.lsp.completion.complete import complete
-from sdfcheck.lsp.completion.item import Item, Sort
+from sdfcheck.lsp.completion import complete
+from sdfcheck.lsp.context import Item, Sort
 from sdfcheck.lsp.edits import EXTRACT, Edits
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.names.index import definitions, occurrences, references
-from sdfcheck.lsp.names.rename import Target, rename, target
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.names import LARGEST, definitions, occurrences, project_files, references
 from sdfcheck.lsp.outline import Maker, Part, folds, links, outline, target_of
+from sdfcheck.lsp.rename import Refused, Target, rename, target
 from sdfcheck.lsp.speech import NAME, Speech, Units, Written, place_of, plain
-from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence
+from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document
-from sdfcheck.source.text import Source
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import Source, Span
+
+# The parts of a whole project that have a name, found without reading its files as trees.
+
+
+_NAMED = re.compile(
+    r"<(world|model|link|joint|frame|sensor|robot|xacro:macro|xacro:property|xacro:arg)\b"
+    r"[^<>]*?\sname\s*=\s*([\"'])(.*?)\2",
+    re.DOTALL,
+)
+_MOST = 500
+
+
+class Found(NamedTuple):
+    """A part of the project: the name of its element, its own, and where that is."""
+
+    kind: str
+    name: str
+    span: Span
+
+
+def survey(workspace: Workspace, query: str) -> list[Found]:
+    """The parts whose names have the letters of a query, in their order; not all of very many."""
+    letters = re.compile(".*?".join(map(re.escape, query.strip())), re.IGNORECASE | re.DOTALL)
+    found: list[Found] = []
+    for path in _paths(workspace):
+        source = _source(workspace, path)
+        if source is None:
+            continue
+        found += (
+            Found(match[1], match[3], source.span(match.start(3), match.end(3)))
+            for match in _NAMED.finditer(source.text)
+            if letters.search(match[3])
+        )
+        if len(found) >= _MOST:
+            break
+    return sorted(found[:_MOST], key=lambda each: (len(each.name), each.name))
+
+
+def _paths(workspace: Workspace) -> Iterator[Path]:
+    seen: set[str] = set()
+    starts = [folder / "all" for folder in workspace.folders]
+    starts += [buffer.path for buffer in workspace.buffers.values()]
+    for start in starts[:20]:
+        for path in project_files(workspace, start):
+            key = workspace.key(path)
+            if key not in seen:
+                seen.add(key)
+                yield path
+
+
+def _source(workspace: Workspace, path: Path) -> Source | None:
+    buffer = workspace.buffers.get(workspace.key(path))
+    if buffer is not None:
+        return buffer.source
+    try:
+        return decode(read_regular(path, LARGEST), path)[0]
+    except OSError:
+        return None
+
 
 FIX_ALL = f"source.fixAll.{NAME}"
 

@@ -2,26 +2,329 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import math
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
+from pathlib import Path, PurePosixPath
 from typing import Any, TypeVar
 
 from lsprotocol import types
 
 from sdfcheck.convert.loss import NotConvertible, to_diagnostic
-from sdfcheck.lsp.colors import colors, written
+from sdfcheck.formats.describe import spot
+from sdfcheck.lint.fix import TextEdit
+from sdfcheck.lsp.cursor import Part, at, elements
 from sdfcheck.lsp.derived import canonical_edits, converted, expanded_text, keeps_expansion
 from sdfcheck.lsp.extract import extractions
-from sdfcheck.lsp.lenses import counted, lenses
-from sdfcheck.lsp.moves import moved, moves_of
-from sdfcheck.lsp.signature import Signature, signature
+from sdfcheck.lsp.hover import Signature, names_around, signature, version_of
+from sdfcheck.lsp.names import everywhere, occurrences, project_files
+from sdfcheck.lsp.outline import Link, links
 from sdfcheck.lsp.speech import Speech, path_of, plain
-from sdfcheck.lsp.tags import NAME_PATTERN, linked, selections
 from sdfcheck.lsp.workspace import Buffer, Workspace
-from sdfcheck.source.document import Document
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.errors import DescriptionError, WrongUsage
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+
+# The colors that a text writes, for the editor's color picker.
+
+
+_TYPE = "color"
+_CHANNELS = (3, 4)
+
+
+class Color(NamedTuple):
+    """A color in a text: red, green, blue and alpha from 0 to 1."""
+
+    span: Span
+    channels: tuple[float, float, float, float]
+
+
+def colors(document: Document) -> Iterator[Color]:
+    """The values that the format takes for colors and that can be shown as one."""
+    if document.root is None:
+        return
+    is_color: dict[tuple[str, ...], bool] = {}
+    for element in elements(document).all:
+        for attribute, value in _values(element):
+            channels = _channels(value.text)
+            if channels is None:
+                continue
+            way = (*names_around(element), attribute)
+            if way not in is_color:
+                is_color[way] = _is_color(document, way[:-1], attribute)
+            if is_color[way]:
+                yield Color(value.span, channels)
+
+
+def _values(element: Element) -> Iterator[tuple[str, Value]]:
+    if not element.nodes and element.content:
+        yield "", element.own_value
+    for name in element.attributes:
+        if (value := element.attribute(name)) is not None:
+            yield name, value
+
+
+def _channels(text: str) -> tuple[float, float, float, float] | None:
+    words = text.split()
+    if len(words) not in _CHANNELS:
+        return None
+    try:
+        numbers = [float(word) for word in words]
+    except ValueError:
+        return None
+    if not all(0 <= number <= 1 for number in numbers):  # also false for nan
+        return None
+    red, green, blue, alpha = (*numbers, 1.0)[:4]
+    return red, green, blue, alpha
+
+
+def _is_color(document: Document, names: Sequence[str], attribute: str) -> bool:
+    place = spot(names, version_of(document)) or spot(names)
+    described = None if place is None else place.describe(attribute)
+    return described is not None and described.type == _TYPE
+
+
+def written(before: str, channels: Sequence[float]) -> str:
+    """The text for another color; three numbers stay three unless it is transparent."""
+    count = 3 if len(before.split()) == 3 and math.isclose(channels[3], 1) else 4
+    return " ".join(f"{round(channel, 3) + 0.0:g}" for channel in channels[:count])
+
+
+# The tags around a place: the two names that are edited as one, and the ranges to which a selection grows.
+
+
+NAME_PATTERN = r"[^\s<>/\"'=]+"
+"""The names that stay linked while they are edited."""
+
+_WORD = re.compile(r"\$\{[^}]*\}|\$\([^)]*\)|[\w.+:-]+")
+
+
+def linked(document: Document, offset: int) -> tuple[Span, Span] | None:
+    """The names in the start tag and the end tag of an element, at one of which a place is."""
+    cursor = at(document, offset)
+    if cursor is None or cursor.part is not Part.NAME:
+        return None
+    start, end = document.spans.name(cursor.element), document.spans.end_name(cursor.element)
+    return (start, end) if end is not None and start.text == end.text else None
+
+
+def selections(document: Document, offset: int) -> list[Span]:
+    """The ranges around a place, the smallest first, each within the next."""
+    found = [document.source.span(offset, offset)]
+    for span in _around(document, offset):
+        last = found[-1]
+        if span.start <= last.start and last.end <= span.end and span != last:
+            found.append(span)
+    return found[1:] or found
+
+
+def _around(document: Document, offset: int) -> Iterator[Span]:
+    source = document.source
+    if (cursor := at(document, offset)) is not None:
+        if cursor.part in {Part.VALUE, Part.TEXT}:
+            words = _WORD.finditer(source.text, cursor.span.start, cursor.span.end)
+            yield from (source.span(*word.span()) for word in words if word.start() <= offset <= word.end())
+        yield cursor.span
+        if cursor.attribute:
+            whole = document.spans.attribute_whole(cursor.element, cursor.attribute)
+            yield source.span(whole.end - len(whole.text.lstrip()), whole.end)
+    yield from (source.span(start, end) for start, end in document.scan.comments if start < offset < end)
+    element = None if document.root is None else elements(document).around(offset)
+    while element is not None:
+        yield from _of_element(element)
+        element = element.parent
+    yield source.span(0, len(source.text))
+
+
+def _of_element(element: Element) -> Iterator[Span]:
+    """Its start tag, its end tag, what is between them, and all of it."""
+    place = element.document.spans.place(element)
+    source = element.document.source
+    yield source.span(place.start, place.end)
+    if place.close > place.end:
+        yield source.span(place.end, place.close)
+    yield source.span(place.close, place.close_end)
+    yield source.span(place.start, place.close_end)
+
+
+# Lines above definitions: how often a name is used, and which files include this one.
+
+
+_COUNTED = frozenset({"macro", "model", "link", "joint", "frame"})
+"""The kinds of names whose uses are counted."""
+
+
+class Lens(NamedTuple):
+    """A place above which there is a line; ``is_file``: it is about the whole file."""
+
+    span: Span
+    is_file: bool
+
+
+class Count(NamedTuple):
+    """The words of a line, and the places that it leads to."""
+
+    title: str
+    places: tuple[Span, ...]
+
+
+def lenses(document: Document) -> Iterator[Lens]:
+    """The places above which there are lines; what they say takes longer."""
+    if document.root is None:
+        return
+    if document.kind in {Kind.XACRO, Kind.SDF}:
+        yield Lens(document.root.span, True)
+    for each in occurrences(document).all:
+        if each.is_definition and each.symbol.kind in _COUNTED:
+            yield Lens(each.span, False)
+
+
+def counted(workspace: Workspace, document: Document, offset: int, *, is_file: bool) -> Count | None:
+    """The line above a place; None where there is nothing to say."""
+    if is_file:
+        places = tuple(_inclusions(workspace, document))
+        files = {span.source.path for span in places}
+        return Count(f"included by {_number(len(files), 'file')}", places) if files else None
+    named = occurrences(document).at(offset)
+    if named is None:
+        return None
+    found = everywhere(workspace, document, named.symbol)
+    places = tuple(each.span for each in found if not each.is_definition)
+    return Count(_number(len(places), "reference"), places)
+
+
+def _number(count: int, noun: str) -> str:
+    return f"{count} {noun}{'' if count == 1 else 's'}"
+
+
+def _inclusions(workspace: Workspace, document: Document) -> Iterator[Span]:
+    """The elements that include a file, in the files of its project."""
+    if document.kind is Kind.XACRO:
+        yield from _of_xacro(workspace, document)
+        return
+    from sdfcheck.robot.includes.included import included, includes_of
+
+    own = workspace.key(document.path)
+    folder = Path(own).parent.name
+    seen = {own}
+    for path in project_files(workspace, document.path, folder.encode("utf-8", "surrogateescape")):
+        other = workspace.document(path) if workspace.key(path) not in seen else None
+        seen.add(workspace.key(path))
+        if other is None or other.kind is not Kind.SDF:
+            continue
+        for include in includes_of(other):
+            brought = included(other, include)
+            if brought.file is not None and os.path.realpath(brought.file) == own:
+                yield include.span if brought.uri is None else brought.uri.span
+
+
+def _of_xacro(workspace: Workspace, document: Document) -> Iterator[Span]:
+    from sdfcheck.xacro.static.definitions import reading, visible_definitions
+    from sdfcheck.xacro.static.project import includers
+
+    own = workspace.key(document.path)
+    for path in includers(document):
+        other = workspace.library(path).document(path, Kind.XACRO)
+        if other is None:
+            continue
+        found = visible_definitions(other)
+        elements = [include.element for include in reading(other).includes]
+        targets = [(element, found.target(element)) for element in elements]
+        sure = [element for element, target in targets if target is not None and workspace.key(target) == own]
+        unknown = [element for element, target in targets if target is None]
+        yield from (element.span for element in sure or unknown)
+
+
+# Renaming and moving files: the texts that name them follow.
+
+
+Moves = Mapping[Path, Path]
+"""File or folder → its path after the move; absolute."""
+
+
+def moved(workspace: Workspace, moves: Moves) -> list[TextEdit]:
+    """The edits, before the files are moved, after which all links of the project lead to the same files."""
+    edits: dict[tuple[str, int], TextEdit] = {}
+    for path in _files(workspace, moves):
+        document = workspace.document(path)
+        if document is None or document.root is None:
+            continue
+        for link in links(document):
+            text = _followed(document, link, moves)
+            if text is not None and text != link.span.text:
+                edits[workspace.key(path), link.span.start] = TextEdit(link.span, text)
+    return list(edits.values())
+
+
+def _files(workspace: Workspace, moves: Moves) -> Iterator[Path]:
+    """The files that may name what is moved, and those that are moved themselves."""
+    seen: set[str] = set()
+    for old in moves:
+        inside = project_files(workspace, old)
+        naming = project_files(workspace, old, old.name.encode("utf-8", "surrogateescape"))
+        for path in (*naming, *(each for each in inside if _after(each, moves) is not None)):
+            key = workspace.key(path)
+            if key not in seen:
+                seen.add(key)
+                yield path
+
+
+def _after(path: Path, moves: Moves) -> Path | None:
+    """The path of a file after the move; None for one that stays."""
+    plain = Path(os.path.abspath(path))
+    for old, new in moves.items():
+        if plain == old or plain.is_relative_to(old):
+            return new / plain.relative_to(old)
+    return None
+
+
+def _followed(document: Document, link: Link, moves: Moves) -> str | None:
+    """The text of a link after the move; None if it can stay, or nobody knows it."""
+    text, target = link.span.text, Path(os.path.abspath(link.target))
+    home = Path(os.path.abspath(document.path))
+    new_home, new_target = _after(home, moves), _after(target, moves)
+    if new_home is None and new_target is None:
+        return None
+    if _is_relative(text):
+        return _relative(text, target, new_target or target, (new_home or home).parent)
+    if new_target is None:
+        return None
+    return _in_place(text, (target, new_target), (target.parent, new_target.parent))
+
+
+def _is_relative(text: str) -> bool:
+    return ":" not in text and "$" not in text and not text.startswith("/")
+
+
+def _relative(text: str, old: Path, new: Path, folder: Path) -> str:
+    """A path from a folder to a file; to the folder of a model where the text names that."""
+    if PurePosixPath(text).name != old.name and PurePosixPath(text).name == old.parent.name:
+        new = new.parent
+    found = Path(os.path.relpath(new, folder)).as_posix()
+    return f"./{found}" if text.startswith("./") and not found.startswith("../") else found
+
+
+def _in_place(text: str, *pairs: tuple[Path, Path]) -> str | None:
+    """A URI with another end: as much of it stays as is around the old and the new path."""
+    words = text.split("/")
+    for old, new in pairs:
+        for count in range(1, min(len(words), len(old.parts))):
+            if tuple(words[-count:]) != old.parts[-count:]:
+                break
+            base = old.parents[count - 1]
+            if new.is_relative_to(base):
+                return "/".join([*words[:-count], new.relative_to(base).as_posix()])
+    return None
+
+
+def moves_of(renames: Iterable[tuple[Path, Path]]) -> Moves:
+    """The moves of paths, by their absolute names."""
+    return {Path(os.path.abspath(old)): Path(os.path.abspath(new)) for old, new in renames}
+
 
 T = TypeVar("T")
 

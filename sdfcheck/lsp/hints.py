@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.lsp.names.index import occurrences
+from sdfcheck.lsp.names import occurrences
 from sdfcheck.robot.graph import Limit
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document, Element, Value

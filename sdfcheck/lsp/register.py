@@ -13,7 +13,7 @@ from pygls.exceptions import JsonRpcInvalidParams
 from sdfcheck.lsp.answers import FIX_ALL, Answers
 from sdfcheck.lsp.edits import EXTRACT, MOVABLE, Edits, Impossible
 from sdfcheck.lsp.hints import KINDS
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.rename import Refused
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import path_of, plain
 from sdfcheck.lsp.watch import Watch

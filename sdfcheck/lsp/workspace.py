@@ -16,9 +16,9 @@ from sdfcheck.lint.one_file import Caches
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import check_targets, covered
-from sdfcheck.lsp.completion.context import Checkpoints
-from sdfcheck.lsp.names.xacro_names import Own
+from sdfcheck.lsp.context import Checkpoints
 from sdfcheck.lsp.reparse import LONG, reparsed
+from sdfcheck.lsp.xacro_names import Own
 from sdfcheck.source.document import Document
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple

@@ -54,8 +54,6 @@ if TYPE_CHECKING:
 
 
 _BY_ROWS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
-
-
 _DEFAULT_MOMENTS = (1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
 
 
@@ -640,8 +638,6 @@ def _origin_position(origin: Element) -> tuple[float, ...] | None:
 
 ENDLESS = 1e15
 """Limits from here on mean none: before 1.10 the format writes 1e16 for infinity."""
-
-
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
 
@@ -872,13 +868,10 @@ def _unlimited(value: float) -> float:
 UNCONVERTED = frozenset({"floating", "planar"})
 """The types of URDF that SDFormat does not have: libsdformat drops such joints."""
 
-
 MOVING_IN_URDF = frozenset({"revolute", "continuous", "prismatic"}) | UNCONVERTED
-
 
 PRESERVING = ("preserveFixedJoint", "disableFixedJointLumping")
 """The settings in ``<gazebo>`` that keep a fixed joint."""
-
 
 AXES = {
     "revolute": 1,
@@ -1512,8 +1505,6 @@ _USUAL = {
     "joint_name": "joint",
 }
 """Parameter of a plugin that is not known → the kind of thing that it names."""
-
-
 _ALWAYS = frozenset({"", "world", "canonical", "__default__"})
 
 
@@ -1751,20 +1742,10 @@ class Plugin(Part):
 
 
 _LEFT = ("left_joint", "leftJoint", "front_left_joint", "back_left_joint")
-
-
 _RIGHT = ("right_joint", "rightJoint", "front_right_joint", "back_right_joint")
-
-
 _SEPARATION = ("wheel_separation", "wheelSeparation")
-
-
 _RADIUS = ("wheel_radius", "wheelRadius")
-
-
 _BASE = ("wheel_base", "wheelbase")
-
-
 _DIAMETER = ("wheel_diameter", "wheelDiameter")
 
 
@@ -2128,7 +2109,6 @@ def _is_number(number: Number) -> bool:
 
 COMPONENTS = frozenset(("joint", "sensor", "gpio"))
 
-
 GAZEBO_SYSTEMS = frozenset(
     ("gazebo_ros2_control/GazeboSystem", "gz_ros2_control/GazeboSimSystem", "ign_ros2_control/IgnitionSystem")
 )
@@ -2391,8 +2371,6 @@ def _is_link(scope: Scope, name: str) -> bool:
 
 MOST_MODELS = 10_000
 """So many included models are looked into: includes of includes can multiply without end."""
-
-
 DEEPEST = 50
 
 
@@ -2626,8 +2604,6 @@ class MaterialNames:
 
 
 Built_co = TypeVar("Built_co", covariant=True)
-
-
 _BOOLEANS = frozenset({"", "true", "1", "false", "0"})
 
 

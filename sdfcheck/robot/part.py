@@ -61,8 +61,6 @@ def pick(owner: Part, kind: str, parts: Sequence[P], key: str | int) -> P:
 
 
 _NUMBERS = frozenset(("double", "float", "int", "unsigned int"))
-
-
 _VECTORS = frozenset(("vector3", "vector2d", "vector2i", "color", "pose", "quaternion", "angle", "time"))
 
 
@@ -138,7 +136,6 @@ def _number(text: str) -> float:
 
 
 T = TypeVar("T", str, int, float, bool)
-
 
 Registry = dict["Element", "Part"]
 """The parts that elements have become, of one reading of a file: two includes of it make two readings."""
@@ -419,7 +416,7 @@ def _three(text: str) -> tuple[float, float, float] | None:
 class Whole(Part):
     """One reading of a file: what the parts in it ask of it. The rest is in its :class:`sdfcheck.robot.root.Root`."""
 
-    __slots__ = ("_document", "_each", "included")
+    __slots__ = ("_document", "included")
 
     def __init__(self, document: Document) -> None:
         element = document.root
@@ -917,19 +914,13 @@ def _outside(scope: Namespace, name: str) -> Node | None:
 
 N = TypeVar("N", bound=Node)
 
-
 NEVER_A_REFERENCE = "__root__"
 
-
 _SEVEN = Version(1, 7)
-
-
 _LOADED = ("model", "link", "joint", "frame")
 """The order in which libsdformat takes them in."""
 
-
 _MOST_NAMES = 20_000
-
 
 Child = tuple[str, str, "Element"]
 """Kind, name and element."""

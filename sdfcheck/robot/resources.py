@@ -27,15 +27,11 @@ if TYPE_CHECKING:
 
 Index = Mapping[str, Sequence["Element"]]
 
-
 _MAPS = (
     "albedo_map", "ambient_occlusion_map", "emissive_map", "environment_map", "glossiness_map", "light_map",
     "metalness_map", "normal_map", "roughness_map", "specular_map",
 )  # fmt: skip
-
-
 _PBR = frozenset({"metal", "specular", "shader"})
-
 
 _PLACES: dict[str, frozenset[str]] = {
     "uri": frozenset({"mesh", "heightmap", "image", "script", "audio_source"}),
@@ -49,23 +45,12 @@ _PLACES: dict[str, frozenset[str]] = {
 }
 """Elements of SDFormat whose text names a file, and the parents below which it does."""
 
-
 _WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
-
-
 _TEXTURED = frozenset({"projector", "sky"})
-
-
 _SHIPPED = ("file://media/", "__default__")
 """What Gazebo Classic brings along, and the word for nothing."""
-
-
 _EXPRESSIONS = ("$(", "${")
-
-
 _PICTURES = frozenset({"texture", "heightmap", "projector"})
-
-
 _TEXTURE_FOLDERS = ("materials/textures", "../materials/textures", "../textures")
 
 

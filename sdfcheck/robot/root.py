@@ -109,7 +109,6 @@ _OF_CONTROL: dict[str, type[Part]] = {
 
 _CONTROL = frozenset(("ros2_control", "component"))
 
-
 _ELSEWHERE = {
     "contact": frozenset(("sensor", "audio_source")),
     "link": frozenset(("model", "robot", "gazebo")),
@@ -126,7 +125,6 @@ _ELSEWHERE = {
 }
 """Names that mean something else elsewhere → the elements in which they mean this."""
 
-
 _OF_JOINTS = {
     "axis": frozenset(("joint",)),
     "axis2": frozenset(("joint",)),
@@ -136,10 +134,7 @@ _OF_JOINTS = {
 }
 """Names that mean this only in a joint, or in an axis of one → the kinds of part."""
 
-
 _SCOPES = frozenset(("gazebo", "link", "model", "world"))
-
-
 _SCOPED = frozenset(("frame", "inertial", "joint", "link", "model"))
 """Names that mean this in such a part only, and not in a setting: the link of an actor, the model of a population."""
 
@@ -228,10 +223,7 @@ SPECIAL: dict[str, Callable[[Root], Iterable[object]]] = {
 }
 """Class → its parts, where the names of elements alone do not determine them."""
 
-
 P = TypeVar("P", bound="Part")
-
-
 URDF_VERSIONS = ("1.0", "1.1", "1.2")
 """The versions of URDF that urdfdom takes, the oldest first."""
 

@@ -141,45 +141,26 @@ def cone(radius: float, length: float) -> Solid:
 
 _PLAUSIBLE = (0.01, 10.0)
 """Traces within these factors of a solid's are beyond suspicion."""
-
-
 _REACH = 5.0
 """So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
-
 SOUND = 1
 """The numbers are those of a body of about the size of the link's shapes."""
-
-
 INSIDE = 2
 """The center of mass is inside of a shape."""
-
-
 NEAR = 4
 """The moments are at most twice those of a solid of the shapes."""
-
-
 FITTING = 8
 """They are so axis by axis, and the mass is that of a material."""
-
-
 LIGHT = 16
 """The mass is that of a material."""
-
-
 _DENSEST = 20_000.0
 """kg/m³: so is nothing that is heavier than any material."""
-
-
 _EVEN = 1.2
 """Moments of a body within this factor of each other fit whatever way it is turned."""
 
-
 _MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-
-
 _ORIGIN = [0.0, 0.0, 0.0]
-
 
 _MAKERS = {
     "box": lambda t: box(*_three(t["size"])),

@@ -10,10 +10,10 @@ import pytest
 import sdfcheck
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.result import Conversion
-from sdfcheck.lsp.completion.complete import complete
+from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.lsp.names.rename import rename
+from sdfcheck.lsp.names import occurrences
+from sdfcheck.lsp.rename import rename
 from sdfcheck.lsp.workspace import Buffer, Choices, Workspace
 from sdfcheck.source.splice import replaced
 

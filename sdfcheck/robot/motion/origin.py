@@ -14,8 +14,6 @@ from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 
 Triple: TypeAlias = tuple[float, float, float]
-
-
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
 
 

@@ -26,7 +26,6 @@ from sdfcheck.source.errors import DescriptionError
 
 Array = npt.NDArray[np.float64]
 
-
 _POLE = 1e-9
 """Below this cosine of the pitch, roll and yaw turn about one axis and only their sum is determined."""
 

@@ -8,18 +8,17 @@ import pytest
 from lsprotocol import types
 from lsprotocol.converters import get_converter
 
-from sdfcheck.lsp.completion.complete import complete
-from sdfcheck.lsp.completion.item import Item
+from sdfcheck.lsp.answers import survey
+from sdfcheck.lsp.completion import complete
+from sdfcheck.lsp.context import Item
 from sdfcheck.lsp.edits import Edits
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.names.index import everywhere, occurrences
-from sdfcheck.lsp.names.rename import rename
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.names import everywhere, occurrences
 from sdfcheck.lsp.outline import Part, links, outline
+from sdfcheck.lsp.rename import Refused, rename
 from sdfcheck.lsp.speech import Speech
-from sdfcheck.lsp.survey import survey
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
 from tests.unit.lsp.texts import ROBOT

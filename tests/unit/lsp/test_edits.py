@@ -11,21 +11,17 @@ from hypothesis import strategies as st
 
 from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.actions import differences, offers
-from sdfcheck.lsp.colors import colors
-from sdfcheck.lsp.completion.complete import complete
-from sdfcheck.lsp.completion.context import Checkpoints, context
+from sdfcheck.lsp.completion import complete
+from sdfcheck.lsp.context import Checkpoints, context
+from sdfcheck.lsp.edits import colors, counted, lenses, linked, selections
 from sdfcheck.lsp.extract import extractions
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
-from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.lenses import counted, lenses
-from sdfcheck.lsp.names.index import occurrences
-from sdfcheck.lsp.names.rename import rename
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.hover import hover, signature
+from sdfcheck.lsp.names import occurrences
 from sdfcheck.lsp.outline import folds, links, outline
-from sdfcheck.lsp.signature import signature
+from sdfcheck.lsp.rename import Refused, rename
 from sdfcheck.lsp.speech import Change, Place, Units, changed, offset_of, place_of
-from sdfcheck.lsp.tags import linked, selections
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.source.document import Document
 from sdfcheck.source.splice import replaced

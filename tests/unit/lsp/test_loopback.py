@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from sdfcheck.lsp.loopback import MOST_BYTES, MOST_LISTENERS, Loopback, Page
+from sdfcheck.lsp.beside import MOST_BYTES, MOST_LISTENERS, Loopback, Page
 
 
 class Asked(Loopback):

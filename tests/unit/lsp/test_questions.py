@@ -21,8 +21,8 @@ from benchmarks.editor import (
     names,
     rename_once,
 )
-from sdfcheck.lsp.completion.complete import complete
-from sdfcheck.lsp.names.spread import Refused
+from sdfcheck.lsp.completion import complete
+from sdfcheck.lsp.rename import Refused
 from sdfcheck.lsp.watch import choices_of
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.sniff import Kind

@@ -12,7 +12,7 @@ import pytest
 from lsprotocol import types
 
 from benchmarks.editor import Editor
-from sdfcheck.lsp.completion.complete import complete
+from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.worker import ANSWER, LINT, Schedule, Worker
 from sdfcheck.lsp.workspace import Choices, Workspace

@@ -9,7 +9,7 @@ import pytest
 
 from sdfcheck.files.regular import OUTSIDE, Outside
 from sdfcheck.lsp.findings import Findings
-from sdfcheck.lsp.names.index import project_files
+from sdfcheck.lsp.names import project_files
 from sdfcheck.lsp.speech import path_of
 from sdfcheck.lsp.workspace import Workspace
 

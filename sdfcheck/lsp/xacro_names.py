@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from sdfcheck.formats.srdf import references
+from sdfcheck.formats.srdf import references as names_in_srdf
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.semantics import own_kind
 from sdfcheck.source.document import Document, Element, Value
@@ -13,6 +13,10 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import PREFIX, is_literal, matches, replaced
 from sdfcheck.xacro.static.definitions import Definitions, Macro, reading, visible_definitions
+
+# The names in a text with xacro: of macros, parameters, properties and arguments, and of the robot as
+# written.
+
 
 _WORD = re.compile(r"'[^']*'|\"[^\"]*\"|(?<![\w.])[^\W\d]\w*")
 _ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
@@ -29,7 +33,7 @@ _REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
     ("model", "placement_frame"): _NODES,
     **{
         place: (kind,)
-        for place, kind in references().items()
+        for place, kind in names_in_srdf().items()
         if place[1] != "name" or place[0] == "passive_joint"
     },
 }

@@ -1,13 +1,238 @@
-"""Likely continuations at a place: by what the text itself has in such places, and by public files."""
+"""Where the cursor is in a text, what is likely there, and the items that completion offers."""
 
 from __future__ import annotations
 
 import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from enum import Enum
+from itertools import count
 
 from sdfcheck.formats import near_names as usual
-from sdfcheck.lsp.completion.context import Context, Where
+from sdfcheck.formats.schema import Definition
+from sdfcheck.source.record import NamedTuple
+
+# Where somebody is typing, known by the text before the cursor alone: it may be broken anywhere.
+
+
+_MARKUP = re.compile(
+    r"<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>"
+    r"|</(?P<end>[^\s<>]*)[^<>]*>"
+    r"|<(?P<start>[^\s/<>!?\"']+)(?:[^<>\"'/]|\"[^\"<]*\"|'[^'<]*'|/(?!>))*(?P<empty>/)?>"
+)
+_ATTRIBUTE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)\"?|'([^']*)'?)")
+_OPEN_VALUE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)|'([^']*))\Z")
+_NAME_END = re.compile(r"[\w:.\-]*\Z")
+_SPACING = 65536
+
+
+class Where(Enum):
+    """The input at the cursor."""
+
+    TAG = "tag"
+    END = "end tag"
+    ATTRIBUTE = "attribute"
+    VALUE = "value"
+    TEXT = "text"
+    NOWHERE = "nowhere"
+    """In a comment, CDATA, or an instruction."""
+
+
+class Context(NamedTuple):
+    """The input at the cursor, and its surroundings.
+
+    ``around`` are the names of the open elements, from the root's; in a tag and in its attributes
+    that of the tag itself is ``tag``. ``typed`` is what the completion replaces, which begins at
+    ``start``.
+    """
+
+    where: Where
+    around: tuple[str, ...]
+    tag: str
+    attribute: str
+    given: tuple[tuple[str, str], ...]
+    """The attributes of the tag before the cursor."""
+    typed: str
+    start: int
+
+
+class Checkpoints:
+    """Which elements are open at some places of a text, so that not all of it is read each time."""
+
+    __slots__ = ("_known",)
+
+    def __init__(self) -> None:
+        self._known: list[tuple[int, tuple[str, ...]]] = [(0, ())]
+
+    def cut(self, offset: int) -> None:
+        """The text has changed from an offset on."""
+        while len(self._known) > 1 and self._known[-1][0] > offset:
+            self._known.pop()
+
+    def around(self, text: str, offset: int) -> tuple[tuple[str, ...], int]:
+        """The open elements at an offset, and where the markup before it ends."""
+        number = len(self._known) - 1
+        while self._known[number][0] > offset:
+            number -= 1
+        end, known = self._known[number]
+        stack, noted = list(known), end
+        for match in _MARKUP.finditer(text, end, offset):
+            _take(match, stack)
+            end = match.end()
+            if end - noted > _SPACING and number == len(self._known) - 1:
+                self._known.append((end, tuple(stack)))
+                number, noted = number + 1, end
+        return tuple(stack), end
+
+
+def _take(match: re.Match[str], stack: list[str]) -> None:
+    if match["start"] is not None and match["empty"] is None:
+        stack.append(match["start"])
+    elif match["end"] is not None and match["end"] in stack:
+        while stack.pop() != match["end"]:
+            pass
+
+
+def context(text: str, offset: int, checkpoints: Checkpoints | None = None) -> Context:
+    """The input at an offset."""
+    around, end = (checkpoints or Checkpoints()).around(text, offset)
+    rest = text[end:offset]
+    opening = rest.rfind("<")
+    if rest.lstrip().startswith(("<!--", "<![CDATA[", "<?")) or "<!--" in rest:
+        return Context(Where.NOWHERE, around, "", "", (), "", offset)
+    if opening < 0:
+        typed = rest.lstrip()
+        return Context(Where.TEXT, around, around[-1] if around else "", "", (), typed, offset - len(typed))
+    inside = rest[opening + 1 :]
+    if inside.startswith("/"):
+        return Context(Where.END, around, "", "", (), inside[1:], offset - len(inside) + 1)
+    name = re.match(r"[^\s/<>\"']*", inside)
+    assert name
+    if name.end() == len(inside):
+        return Context(Where.TAG, around, "", "", (), inside, offset - len(inside))
+    return _in_tag(inside, name[0], around, offset)
+
+
+def _in_tag(inside: str, tag: str, around: tuple[str, ...], offset: int) -> Context:
+    given = tuple((found[1], found[2] or found[3] or "") for found in _ATTRIBUTE.finditer(inside))
+    value = _OPEN_VALUE.search(inside)
+    if value is not None and _is_open(inside):
+        typed = value[2] if value[2] is not None else value[3]
+        return Context(Where.VALUE, around, tag, value[1], given, typed, offset - len(typed))
+    typed_name = _NAME_END.search(inside)
+    typed = typed_name[0] if typed_name else ""
+    return Context(Where.ATTRIBUTE, around, tag, "", given, typed, offset - len(typed))
+
+
+def _is_open(inside: str) -> bool:
+    """Is there a quote without its other half?"""
+    mark = ""
+    for character in inside:
+        if mark:
+            mark = "" if character == mark else mark
+        elif character in "\"'":
+            mark = character
+    return bool(mark)
+
+
+# The items that are offered.
+
+
+class Sort(Enum):
+    """The kinds of things that are offered."""
+
+    ELEMENT = "element"
+    ATTRIBUTE = "attribute"
+    CHOICE = "choice"
+    NAME = "name"
+    FILE = "file"
+    FOLDER = "folder"
+    MACRO = "macro"
+    PROPERTY = "property"
+    WORD = "word"
+
+
+class Item(NamedTuple):
+    """Something to insert; ``snippet`` has tab stops, ``text`` is the same without.
+
+    ``question`` is what to ask :mod:`sdfcheck.formats.describe` for more.
+    """
+
+    label: str
+    sort: Sort
+    text: str
+    snippet: str = ""
+    detail: str = ""
+    rank: int = 5
+    is_deprecated: bool = False
+    note: str = ""
+    is_repeatable: bool = False
+    """May an element be there more than once?"""
+
+
+def escaped(text: str) -> str:
+    """A text with the characters escaped that have a meaning in snippets."""
+    return text.replace("\\", "\\\\").replace("$", "\\$").replace("}", "\\}")
+
+
+# An element with what it cannot do without.
+
+_DEEPEST = 3
+
+
+class Snippet:
+    """Writes elements with numbered places to fill in."""
+
+    def __init__(self) -> None:
+        self._number = count(1)
+
+    def element(self, name: str, element: Definition | None, depth: int = 0) -> str:
+        """An element, from its name on; the ``<`` before it is there."""
+        if element is None:
+            return f"{name}>{self._stop()}</{name}>"
+        head = name
+        required = [element.attributes[each] for each in element.required_attributes]
+        for each in required:
+            head += " " + self.attribute(each.name, each.listed or each.usual[:3], each.given_default)
+        if any(each.usual for each in required):
+            return f"{head}/>"
+        if element.type:
+            return f"{head}>{self._stop(element.listed, element.given_default)}</{name}>"
+        needed = [] if depth >= _DEEPEST else list(element.needed_children)
+        body = [f"<{self.element(each, element.children[each], depth + 1)}" for each in needed]
+        return self._with_body(name, head, body, depth, is_empty=not element.children and not element.open)
+
+    def attribute(self, name: str, choices: tuple[str, ...] = (), default: str = "") -> str:
+        """An attribute with the place of its value."""
+        return f'{name}="{self._stop(choices, default)}"'
+
+    def _with_body(self, name: str, head: str, body: list[str], depth: int, *, is_empty: bool) -> str:
+        if is_empty:
+            return f"{head}/>"
+        inner = "\n".join(f"\t{line}" for text in body for line in text.split("\n"))
+        if depth and not body:
+            return f"{head}>{self._stop()}</{name}>"
+        last = f"\n\t{self._stop()}" if not body else ""
+        return f"{head}>{last}" + (f"\n{inner}" if inner else "") + f"\n</{name}>"
+
+    def _stop(self, choices: tuple[str, ...] = (), default: str = "") -> str:
+        number = next(self._number)
+        if choices and len(choices) <= 30 and not any(set(each) & set(",|$}\\") for each in choices):
+            return f"${{{number}|{','.join(choices)}|}}"
+        return f"${{{number}:{escaped(default)}}}" if default else f"${number}"
+
+
+def without_stops(snippet: str) -> str:
+    """A snippet without its tab stops: what was offered first is filled in."""
+    import re
+
+    text = re.sub(r"\$\{\d+\|([^,|]*)[^}]*\|\}", r"\1", snippet)
+    text = re.sub(r"\$\{\d+:((?:[^}\\]|\\.)*)\}", lambda match: re.sub(r"\\(.)", r"\1", match[1]), text)
+    return re.sub(r"\$\d+", "", text)
+
+
+# Likely continuations at a place: by what the text itself has in such places, and by public files.
+
 
 AROUND = 40_000
 """So many characters before and after the cursor are looked at."""
@@ -17,7 +242,11 @@ _TAG = re.compile(
     r"|<(?P<start>[\w:.-]+)(?P<inside>(?:\s+[^<>\"'=\s]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*)\s*(?P<empty>/)?>(?P<text>[^<]*)",
     re.DOTALL,
 )
-_ATTRIBUTE = re.compile(r"([^\s\"'=]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+
+
+_WHOLE_ATTRIBUTE = re.compile(r"([^\s\"'=]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+
+
 _WORD = re.compile(r"[a-z]+|[0-9]+")
 _EMPTY = frozenset({"link", "joint", "base", "name", "prefix", "xacro"})
 _FLAGS = (
@@ -46,7 +275,7 @@ class Usage:
         """``element@attribute``, or an element → where each value begins, and the value."""
         opening = offset if where.where is Where.TEXT else text.rfind("<", 0, offset)
         start = text.find("<", opening - AROUND) if opening > AROUND else 0
-        own = plain(where.around)
+        own = without_conditions(where.around)
         self.parent = own[-1] if own else ""
         self.before = self._count(text, start, opening, "")[-1]
         end = offset if where.where in {Where.TAG, Where.TEXT} else text.find(">", offset)
@@ -75,7 +304,7 @@ class Usage:
 
     def _tag(self, tag: re.Match[str]) -> None:
         name = tag["start"]
-        for found in _ATTRIBUTE.finditer(tag["inside"] or ""):
+        for found in _WHOLE_ATTRIBUTE.finditer(tag["inside"] or ""):
             value = found[2] if found[2] is not None else found[3]
             self.attributes.setdefault(name, Counter())[found[1]] += 1
             at = tag.start("inside") + found.start(2 if found[2] is not None else 3)
@@ -164,7 +393,7 @@ def words_in(name: str) -> set[str]:
     return set(_WORD.findall(name.lower())) - _EMPTY
 
 
-def plain(around: Iterable[str]) -> tuple[str, ...]:
+def without_conditions(around: Iterable[str]) -> tuple[str, ...]:
     """The names of elements without those of xacro that only decide whether their content counts."""
     return tuple(name for name in around if name not in _TRANSPARENT)
 
