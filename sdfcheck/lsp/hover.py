@@ -1,4 +1,4 @@
-"""What the editor shows about a place: documentation, facts of the robot, values, and the call of a macro."""
+"""The facts about a place, as Markdown: documentation, parts of the robot, values, and the call of a macro."""
 
 from __future__ import annotations
 
