@@ -27,7 +27,6 @@ REFUSED_IN_URDF = frozenset(("ball", "floating", "planar", "universal"))
 WITHOUT_LIMIT = frozenset(("curvilinear", "screw"))
 
 NO_TRANSMISSION, NO_EFFORT = "no transmission names it", "its effort is 0"
-DELIBERATE = frozenset((NO_TRANSMISSION, NO_EFFORT))
 
 DRIVE = '<transmission><type>{}</type><joint name="j"/><actuator name="m"/></transmission>'
 
@@ -77,6 +76,7 @@ class UnactuatedJoint(Rule):
             '<transmission><type>SimpleTransmission</type><joint name="«f»"/><actuator name="m"/>'
             "</transmission>",
             says="`f` has no actuator in Drake: it is fixed",
+            also=("URD011",),
         ),
         Bad(
             DRIVE.format("SimpleTransmission"),
@@ -162,7 +162,7 @@ class UnactuatedJoint(Rule):
         message += f" no actuator in Drake: {reason}"
         if unread is not None:
             message += f", so `{unread.name}` is not read"
-        level = Severity.INFO if unread is None and reason in DELIBERATE else Severity.WARNING
+        level = Severity.INFO if unread is None and reason == NO_EFFORT else Severity.WARNING
         return self.diagnostic(target, message, severity=level, affects=NO_ACTUATOR)
 
 

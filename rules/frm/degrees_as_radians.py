@@ -43,7 +43,7 @@ class DegreesAsRadians(Rule):
     `${radians(90)}` or `${pi/2}`.
     """
     looks_at = (Element,)
-    selects = ("sdf:pose", "urdf:origin")
+    selects = ("sdf:pose", "urdf:origin", "urdf:robot/gazebo")
     scaffold = IN_LINK
 
     bad = (
@@ -71,6 +71,11 @@ class DegreesAsRadians(Rule):
             scaffold=IN_ROBOT,
             says="roll 90",
         ),
+        Bad(
+            '<gazebo reference="base"><sensor name="s" type="imu"><pose>0 0 0 0 0 «90»</pose></sensor></gazebo>',
+            scaffold=IN_ROBOT,
+            says="yaw 90",
+        ),
     )
     good = (
         Good('<pose degrees="true">0 0 1 0 0 90</pose>'),
@@ -82,26 +87,44 @@ class DegreesAsRadians(Rule):
 
     @staticmethod
     def applies(element: Element) -> bool:
-        text = element.content if element.name == "pose" else element.text_of("rpy", "")
-        if text.endswith(_NOT_ROTATED) or _LARGE.search(text) is None:
-            return False
-        return any(_is_whole_degrees(word) for _, _, word in _angles(element))
+        return any(map(_is_in_degrees, _posed(element)))
 
     def check(self, element: Element) -> Iterator[Diagnostic]:
-        value = _value(element)
-        found = [angle for angle in _angles(element) if _is_whole_degrees(angle[2])]
-        shown = listed(f"{name} {word}" for _, name, word in found)
-        are, look = ("is", "looks") if len(found) == 1 else ("are", "look")
-        edits = tuple(
-            TextEdit(value.part(at), repr(math.radians(float(word))))
-            for at, _, word in found
-            if value is not None
-        )
-        yield self.diagnostic(
-            edits[0].span,
-            f"{shown} {are} read as radians, and {look} like degrees",
-            fix=make_fix("write radians", edits, unsafe=True),
-        )
+        for each in filter(_is_in_degrees, _posed(element)):
+            value = _value(each)
+            found = [angle for angle in _angles(each) if _is_whole_degrees(angle[2])]
+            shown = listed(f"{name} {word}" for _, name, word in found)
+            are, look = ("is", "looks") if len(found) == 1 else ("are", "look")
+            edits = tuple(
+                TextEdit(value.part(at), repr(math.radians(float(word))))
+                for at, _, word in found
+                if value is not None
+            )
+            yield self.diagnostic(
+                edits[0].span,
+                f"{shown} {are} read as radians, and {look} like degrees",
+                fix=make_fix("write radians", edits, unsafe=True),
+            )
+
+
+def _posed(element: Element) -> list[Element]:
+    """The element itself, or the poses of sensors in a block of URDF."""
+    if element.name != "gazebo":
+        return [element]
+    return [
+        each
+        for child in element.children()
+        if child.name == "sensor"
+        for each in child.below
+        if each.name == "pose"
+    ]
+
+
+def _is_in_degrees(element: Element) -> bool:
+    text = element.content if element.name == "pose" else element.text_of("rpy", "")
+    if text.endswith(_NOT_ROTATED) or _LARGE.search(text) is None:
+        return False
+    return any(_is_whole_degrees(word) for _, _, word in _angles(element))
 
 
 def _value(element: Element) -> Value | None:

@@ -36,7 +36,6 @@ class DrivenStaticModel(Rule):
 
     To hold the base of a robot whose joints move, write a fixed joint from `world` to it.
     """
-    preview = True
     looks_at = (Plugin,)
     scaffold = IN_SDF
 

@@ -7,7 +7,7 @@ DRIVE = (
     '<link name="wheel"/><joint name="j" type="continuous"><parent link="base"/><child link="wheel"/></joint><gazebo>'
     '<plugin filename="libgazebo_ros_planar_move.so" name="d"><robotBaseFrame>{}</robotBaseFrame></plugin></gazebo>'
 )
-NAMES = ("robot_base_frame", "robotBaseFrame")
+NAMES = ("robot_base_frame", "robotBaseFrame", "child_frame_id")
 SWITCHES = {
     "gazebo_ros_skid_steer_drive": ("broadcastTF", False),
     "gazebo_ros_diff_drive": ("publishOdomTF", True),
@@ -49,7 +49,7 @@ class MisplacedOdometry(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return "gazebo_ros" in plugin.filename and carried(plugin) is not None
+        return plugin.is_extension and carried(plugin) is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         found = carried(plugin)
@@ -80,6 +80,8 @@ def carried(plugin: Plugin) -> tuple[Value, Model, Link | None] | None:
         return None
     robot, name = robot_of(plugin), value.text.strip()
     links = robot.tree.links
+    if facts.generation == "gz-sim" and (name in links or "/" in name):
+        return None  # its transforms reach ROS only where somebody asks for them
     if name in links:
         return (value, robot, links[name]) if links[name].parent_joints else None
     is_other = not name or "$" in name or any(name.endswith(link) for link in links)

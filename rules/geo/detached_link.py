@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from contextlib import suppress
 from math import inf
 
 from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
@@ -9,6 +10,10 @@ from sdfcheck_rules.geo.undersized_shapes import LEAST as SMALLEST
 
 MOST = 0.35
 """Of the length of the link: of 5,000 links that joints carry, in public robots with meshes, none is farther off."""
+SCHEMATIC = 10.0
+"""Times the longest shape of a robot without meshes: boxes for the bobs of pendulums are up to nine times away."""
+FAR = 1.0
+"""m: joints that are nearer to their parents are the rule."""
 LEAST = 0.01
 """m: what is nearer may be held by a part that is not drawn."""
 
@@ -17,8 +22,8 @@ class DetachedLink(Rule):
     """A link that a joint carries touches no other link of its robot.
 
     Parts of a machine hang together. Where one floats, the origin of its joint, or that of its shapes, is not
-    where it belongs, or is in another unit. Robots are looked at with meshes on this computer, and where the size
-    of every shape is known; all joints are at zero.
+    where it belongs, or is in another unit. Robots are looked at where the size of every shape is known; all joints are
+    at zero. Without meshes, only what is very far away counts.
     """
 
     code = "GEO015"
@@ -31,7 +36,6 @@ class DetachedLink(Rule):
     """
     looks_at = (Model,)
     selects = ("urdf:robot",)
-    needs = ("<mesh", ":mesh")
     scaffold = ARM
 
     bad = (
@@ -72,24 +76,36 @@ class DetachedLink(Rule):
 
 def detached(model: Model) -> list[tuple[Joint, Link, float]]:
     """The links that touch none, each with the joint that carries it and its distance from the others (m)."""
-    if not model.joints or not model.has_mesh:
+    if not model.joints or not (model.has_mesh or is_spread(model)):
         return []
     drawn = [link for link in model.links if link.shapes]
     if len(drawn) < 2 or any(link.extent is None for link in drawn):
         return []
+    least = LEAST if model.has_mesh else SCHEMATIC * max(map(length, drawn))
     found = []
     for joint in model.joints:
         link = joint.child_link
         if link is None or not joint.moves or not link.shapes or link.parent_joints[:1] != (joint,):
             continue
-        if not length(link) < LARGEST or link.size_to_reach < SMALLEST or gap(link):
+        if not length(link) < LARGEST or (model.has_mesh and link.size_to_reach < SMALLEST) or gap(link):
             continue
-        bound = max(LEAST, MOST * length(link))
+        bound = max(least, MOST * length(link))
         others = [other for other in (joint.parent_link, *drawn) if other is not None and other is not link]
         distance = nearest(link, others, bound)
         if bound < distance < inf:
             found.append((joint, link, distance))
     return found
+
+
+def is_spread(model: Model) -> bool:
+    """Is a joint so far from its parent that it is worth looking at a robot without meshes?"""
+    origins = (joint.find("origin") for joint in model.joints if joint.moves)
+    texts = ("" if origin is None else origin.text_of("xyz", "") for origin in origins)
+    longest = 0.0
+    for text in texts:
+        with suppress(ValueError):
+            longest = max(longest, *(abs(float(word)) for word in text.split() or ("0",)))
+    return longest > FAR and longest > SCHEMATIC * max(map(length, model.links))
 
 
 def nearest(link: Link, others: list[Link], bound: float) -> float:

@@ -1,15 +1,15 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
-from sdfcheck_rules.geo.scaffolds import rover
+from sdfcheck_rules.geo.scaffolds import car, rover
 
 
 class ExchangedDriveSides(Rule):
-    """The left wheel of a differential drive is on the right.
+    """The left wheel of a drive is on the right, or a front wheel at the back.
 
-    The plugin turns both wheels by their names alone: with the sides exchanged the robot turns right on the command
-    to turn left, and its odometry says the opposite. Left is where the axes of the wheels point to, for positive
-    speeds drive forwards.
+    The plugin turns and steers the wheels by their names alone: with the sides exchanged the robot turns right on the
+    command to turn left, and its odometry says the opposite. Left is where the axes of the wheels point to, for
+    positive speeds drive forwards.
     """
 
     code = "GEO009"
@@ -28,28 +28,30 @@ class ExchangedDriveSides(Rule):
             rover(left="right").replace(">right_joint</left", ">«right_joint»</left"),
             says="`left_joint` names `right_joint`, which is 0.34 m to the right of `left_joint`",
         ),
+        Bad(
+            car(base="0.5")
+            .replace("<front_left_joint>front", "<front_left_joint>«back")
+            .replace("joint</front_left", "joint»</front_left")
+            .replace("<back_left_joint>back", "<back_left_joint>front"),
+            says="`front_left_joint` names `back_left_joint`, which is 0.5 m behind `front_left_joint`",
+        ),
     )
-    good = (Good(rover()),)
+    good = (Good(rover()), Good(car(base="0.5")))
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return is_exchanged(plugin)
+        return plugin.drive is not None and plugin.drive.misplaced is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         drive = plugin.drive
-        if drive is None:
+        if drive is None or drive.misplaced is None:
             return
+        wheel, other, way = drive.misplaced
+        distance = abs(wheel.ahead_of(other, drive.left.axis))
+        if way == "behind":
+            distance = drive.axle_distance
         yield self.diagnostic(
-            drive.left_name.own_value,
-            f"`{drive.left_name.name}` names `{drive.left.joint.name}`, which is {-drive.distance:.3g} m to the right"
-            f" of `{drive.right.joint.name}`",
-            labels={drive.right_name: "the other side"},
+            wheel.name.own_value,
+            f"`{wheel.name.name}` names `{wheel.joint.name}`, which is {distance:.3g} m {way} `{other.joint.name}`",
+            labels={other.name: "the other one"},
         )
-
-
-def is_exchanged(plugin: Plugin) -> bool:
-    """Is the left wheel on the right, and do both axes point to one side?"""
-    drive = plugin.drive
-    if drive is None or not drive.distance < 0:
-        return False
-    return sum(left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True)) > 0.5

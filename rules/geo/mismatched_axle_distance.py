@@ -21,7 +21,6 @@ class MismatchedAxleDistance(Rule):
 
     If the number is right, move the joints.
     """
-    preview = True
     looks_at = (Plugin,)
 
     bad = (Bad(car(base="«0.25»"), says="the axles are 0.5 m apart, and `wheelbase` says 0.25"),)
@@ -33,13 +32,13 @@ class MismatchedAxleDistance(Rule):
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         drive = plugin.drive
-        if drive is None or drive.base is None or drive.rear is None:
+        if drive is None or drive.base is None or len(drive.lefts) != 2:
             return
         yield self.diagnostic(
             drive.base.own_value,
             f"the axles are {drive.axle_distance:.3g} m apart, and `{drive.base.name}` says"
             f" {drive.base.content.strip()}",
-            labels={drive.left.joint: "one wheel on the left", drive.rear.joint: "the other one"},
+            labels={drive.left.joint: "one wheel on the left", drive.lefts[1].joint: "the other one"},
         )
 
 

@@ -75,6 +75,8 @@ def differ(plugin: Plugin) -> bool:
 
 
 def is_mismatched(plugin: Plugin) -> bool:
-    """Is the written radius another one than that of the wheels?"""
+    """Is the written radius another one than that of all wheels?"""
     drive = plugin.drive
-    return drive is not None and abs(drive.written_radius - drive.left.radius) > MOST * drive.left.radius
+    if drive is None:
+        return False
+    return all(abs(drive.written_radius - wheel.radius) > MOST * wheel.radius for wheel in drive.wheels)

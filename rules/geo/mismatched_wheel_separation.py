@@ -6,6 +6,9 @@ from sdfcheck_rules.geo.scaffolds import rover
 MOST = 0.1
 """Of the distance: of 57 drives in public robots two differ by more, and one of these by a factor of two."""
 
+SKID = 2.2
+"""Times: vehicles that skid with several wheels a side turn as if their wheels were up to twice as far apart."""
+
 
 class MismatchedWheelSeparation(Rule):
     """The wheels of a differential drive are not as far apart as the plugin says.
@@ -57,5 +60,7 @@ def is_mismatched(plugin: Plugin) -> bool:
     drive = plugin.drive
     if drive is None or drive.separation is None or not drive.separation.own_value.number > 0:
         return False
-    distance = abs(drive.distance)
-    return distance > 0.01 and abs(drive.separation.own_value.number - distance) > MOST * distance
+    distance, written = abs(drive.distance), drive.separation.own_value.number
+    if len(drive.lefts) > 1 and drive.base is None:
+        return distance > 0.01 and not distance / SKID <= written <= SKID * distance
+    return distance > 0.01 and abs(written - distance) > MOST * distance

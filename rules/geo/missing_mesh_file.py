@@ -28,7 +28,6 @@ class MissingMeshFile(Rule):
     Paths in mesh files are relative to the folder of the mesh. If the colors do not matter, give the visual a
     `material` of its own.
     """
-    preview = True
     looks_at = (Model,)
     needs = ("<mesh", ":mesh")
     scaffold = IN_URDF_LINK

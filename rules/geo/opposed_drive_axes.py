@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 
@@ -33,23 +33,28 @@ class OpposedDriveAxes(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return is_opposed(plugin)
+        return bool(opposed(plugin))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         drive = plugin.drive
-        if drive is None:
-            return
-        yield self.diagnostic(
-            drive.right.joint.axis.xyz,
-            f"the axes of `{drive.left.joint.name}` and `{drive.right.joint.name}` are opposite, and drive"
-            f" `{plugin.name}` turns both alike",
-            labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
-        )
+        for joint in opposed(plugin)[:1]:
+            assert drive is not None
+            yield self.diagnostic(
+                joint.axis.xyz,
+                f"the axes of `{drive.left.joint.name}` and `{joint.name}` are opposite, and drive"
+                f" `{plugin.name}` turns both alike",
+                labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
+            )
 
 
-def is_opposed(plugin: Plugin) -> bool:
-    """Do the axes of the two wheels point in opposite directions?"""
+def opposed(plugin: Plugin) -> list[Joint]:
+    """The joints whose axes point to the other side than that of the first wheel on the left."""
     drive = plugin.drive
     if drive is None:
-        return False
-    return sum(left * right for left, right in zip(drive.left.axis, drive.right.axis, strict=True)) < -0.5
+        return []
+    along = drive.left.axis
+    return [
+        wheel.joint
+        for wheel in drive.wheels
+        if sum(one * other for one, other in zip(along, wheel.axis, strict=True)) < -0.5
+    ]

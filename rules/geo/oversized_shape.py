@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf
 
-from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity, Shape, Value, used
+from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity, Shape, Value, used
 from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
 
 MOST = 100.0
@@ -19,8 +19,7 @@ class OversizedShape(Rule):
     """A shape is a hundred times longer than the distances between the joints of its robot.
 
     Meshes have no unit in STL and OBJ: exported in millimeters, they are a thousand times too large, unless
-    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them. Robots are looked at where
-    at least one mesh is on this computer.
+    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them.
     """
 
     code = "GEO001"
@@ -34,7 +33,6 @@ class OversizedShape(Rule):
     drawing: compare them with `sdfcheck inertia FILE`.
     """
     looks_at = (Model,)
-    needs = ("<mesh", ":mesh")
     scaffold = ARM
 
     bad = (
@@ -95,6 +93,12 @@ def written_size(shape: Shape) -> Value | None:
     return next((each.value for each in measures if each.is_given), None)
 
 
+def is_long(link: Link) -> bool:
+    """Has it a shape that is long enough to look at? For a robot without meshes little else is worked out."""
+    boxes = (shape.geometry.box for shape in link.shapes)
+    return any(box is not None and max(box.size) > LEAST for box in boxes)
+
+
 def is_thin(model: Model) -> bool:
     """Is it lighter than any gas of its size?"""
     return model.is_out_of_scale and model.density < 1
@@ -102,7 +106,7 @@ def is_thin(model: Model) -> bool:
 
 def oversized(model: Model) -> list[Shape]:
     """The shapes that are too long for the robot."""
-    if not model.joints or model.may_be_static or not model.has_mesh:
+    if not model.joints or model.may_be_static or not any(map(is_long, model.links)):
         return []
     most = max(MOST * model.reach, LEAST) if model.reach > 0.005 else inf
     if model.is_urdf:

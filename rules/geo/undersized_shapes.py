@@ -1,6 +1,7 @@
 from collections.abc import Iterator
+from math import prod
 
-from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity, Shape
+from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity, Shape
 from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 LEAST = 0.01
@@ -9,6 +10,10 @@ TINY = 0.02
 """m: a robot heavier than any material whose shapes are all shorter is a thousand times too small as a whole."""
 SMALLEST = 0.005
 """m: in 549 public robots with joints and meshes the longest shape is 0.05 to 2 m long, and never a thousandth."""
+ABSURD = 1e8
+"""kg/m³: osmium has 22,600, and a mesh in meters with a scale of 0.001 a thousand million times what it should have."""
+LIGHT = 0.2
+"""kg: what is lighter is often a mark."""
 ROBOT = (
     '<robot name="r"><link name="base">{0}</link><link name="arm">{1}</link>'
     '<joint name="j" type="revolute"><origin xyz="0 0 0.3"/><parent link="base"/>'
@@ -17,10 +22,11 @@ ROBOT = (
 
 
 class UndersizedShapes(Rule):
-    """All shapes of a robot are a hundred times shorter than the distances between its joints.
+    """All shapes of a robot are a hundred times shorter than the distances between its joints, or those of a link.
 
     A `scale` of 0.001 for meshes that are in meters already, or a COLLADA file that says millimeters and is in
-    meters, leaves nothing to see, and nothing to touch.
+    meters, leaves nothing to see, and nothing to touch. One link alone is judged by its mass: thousands of times that
+    of any material say that its mesh is too small.
     """
 
     code = "GEO002"
@@ -52,6 +58,16 @@ class UndersizedShapes(Rule):
             files={"base.obj": wedge(0.3)},
             says="and the longest of a robot is some centimeters at least",
         ),
+        Bad(
+            ROBOT.format(
+                '<inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+                + mesh("visual", "base.obj", ' scale="«0.001 0.001 0.001»"'),
+                mesh("visual", "base.obj"),
+            ),
+            files={"base.obj": wedge(0.3)},
+            says="link `base` has 2 kg in 0.0003 ×",
+            also=("GEO015", "URD014"),
+        ),
     )
     good = (
         Good(
@@ -66,9 +82,17 @@ class UndersizedShapes(Rule):
 
     @staticmethod
     def applies(model: Model) -> bool:
-        return longest(model) is not None
+        return longest(model) is not None or bool(tiny(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
+        for link in tiny(model):
+            assert link.extent is not None
+            lengths = " × ".join(f"{length:.2g}" for length in link.extent.size)
+            geometry = link.shapes[0].geometry
+            yield self.diagnostic(
+                geometry.scale.value or geometry.uri_value or link.shapes[0],
+                f"{link.title} has {link.inertial.mass.text} kg in {lengths} m: are scale and unit right?",
+            )
         shape = longest(model)
         box = shape.geometry.box if shape is not None else None
         if shape is None or box is None:
@@ -87,6 +111,22 @@ class UndersizedShapes(Rule):
             f"the longest shape of {kind} `{model.name}` is {max(box.size):.3g} m long, and {compared}:"
             " are scale and unit right?",
         )
+
+
+def tiny(model: Model) -> list[Link]:
+    """The links with a mesh that is far too small for their mass; none where all shapes are too small."""
+    if not model.joints or model.may_be_static or not model.has_mesh or model.is_out_of_scale:
+        return []
+    found = [
+        link
+        for link in model.links
+        if link.has_mesh
+        and link.inertial.mass.is_given
+        and link.inertial.mass.number > LIGHT
+        and (box := link.extent) is not None
+        and link.inertial.mass.number > ABSURD * prod(box.size) > 0
+    ]
+    return found if found and longest(model) is None else []
 
 
 def is_dense(model: Model) -> bool:

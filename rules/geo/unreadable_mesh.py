@@ -5,10 +5,12 @@ from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 READ = {"STL": ("stl",), "OBJ": ("obj",), "COLLADA": ("dae",), "glTF": ("gltf",), "GLB": ("glb",)}
 """Format → the endings of its files."""
+DRAWINGS = frozenset("3dm blend catpart fcstd igs iges ipt prt sldasm sldprt skp step stp x_t".split())
+"""Endings of files of CAD programs, which no consumer of robots reads."""
 
 
 class UnreadableMesh(Rule):
-    """The file of a mesh is empty, broken, or of another format than its ending says.
+    """The file of a mesh is empty, broken, a drawing of a CAD program, or of another format than its ending says.
 
     Consumers choose the program that reads a mesh by the ending of its name, and draw and
     touch nothing where that fails; MuJoCo and Drake refuse the robot.
@@ -41,6 +43,11 @@ class UnreadableMesh(Rule):
             files={"arm.dae": "<COLLADA><asset>"},
             says="the mesh `arm.dae` is not well-formed XML",
         ),
+        Bad(
+            mesh("visual", "«arm.step»"),
+            files={"arm.step": "ISO-10303-21;"},
+            says="the mesh `arm.step` is a drawing of a CAD program, which no simulator reads",
+        ),
     )
     good = (
         Good(mesh("visual", "arm.OBJ"), files={"arm.OBJ": wedge(1)}),
@@ -58,10 +65,14 @@ class UnreadableMesh(Rule):
 
 def fault(geometry: Geometry) -> str:
     """The reason why consumers cannot read the mesh; empty where they can, or nobody knows."""
-    read = geometry.mesh if geometry.shape == "mesh" else None
+    if geometry.shape != "mesh":
+        return ""
+    ending = geometry.uri.rpartition(".")[2].lower()
+    if ending in DRAWINGS:
+        return "is a drawing of a CAD program, which no simulator reads: export it as STL, OBJ or COLLADA"
+    read = geometry.mesh
     if read is None or read.fault:
         return read.fault if read is not None else ""
-    ending = geometry.uri.rpartition(".")[2].lower()
     promised = next((form for form, endings in READ.items() if ending in endings), "")
     if not read.format or not promised or promised == read.format:
         return ""

@@ -10,8 +10,8 @@ FAR = 1.0
 class SwappedSoftLimits(Rule):
     """The soft limits of a safety controller leave no position, or lie outside of the limits of the joint.
 
-    With the lower one above the upper one, the controllers of ROS, which read them, hold the joint at a bound or stop
-    it. One that lies outside of the joint's own limit never takes effect: the joint runs into its stop.
+    With the lower one above or at the upper one, the controllers of ROS, which read them, hold the joint at a bound or
+    stop it. One that lies outside of the joint's own limit never takes effect: the joint runs into its stop.
     """
 
     code = "JNT017"
@@ -30,6 +30,10 @@ class SwappedSoftLimits(Rule):
         Bad(
             '<safety_controller soft_lower_limit="«1.5»" soft_upper_limit="-1.5" k_velocity="10"/>',
             says="lower soft limit 1.5 is above upper soft limit -1.5",
+        ),
+        Bad(
+            '<safety_controller soft_lower_limit="«0»" soft_upper_limit="0" k_velocity="0"/>',
+            says="both soft limits are 0, so that the joint cannot move",
         ),
         Bad(
             '<safety_controller soft_lower_limit="-1.5" soft_upper_limit="«2.5»" k_velocity="10"/>',
@@ -61,6 +65,9 @@ def faults(controller: Element) -> Iterator[tuple[Value, Value, str]]:
         yield lower, upper, f"lower soft limit {lower.text} is above upper soft limit {upper.text}"
         return
     joint = controller.parent
+    if lower is not None and upper is not None and lower.number == upper.number:
+        yield lower, upper, f"both soft limits are {lower.text}, so that the joint cannot move"
+        return
     limit = (
         joint.find("limit") if joint is not None and joint.get("type") in {"revolute", "prismatic"} else None
     )

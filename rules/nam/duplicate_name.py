@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Name, Reaction, Root, Rule, Severity, accepts
+from sdfcheck import (
+    IN_MODEL,
+    Bad,
+    BuiltLink,
+    Consumer,
+    Diagnostic,
+    Good,
+    Name,
+    Reaction,
+    Root,
+    Rule,
+    Sensor,
+    Severity,
+    accepts,
+)
 from sdfcheck_rules.nam.taken import is_free
 
 LEFT_OUT = (
@@ -10,6 +24,12 @@ LEFT_OUT = (
     '<gazebo><joint name="j" type="fixed"><parent>world</parent><child>a</child></joint></gazebo></robot>'
 )
 
+MERGED = (
+    '<link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    '</link><link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
+    '<gazebo reference="a"><sensor name="s" type="imu"/></gazebo>'
+    '<gazebo reference="b"><sensor name="{}" type="imu"/></gazebo>'
+)
 UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
 """The consumers that do not read `<gazebo>` blocks."""
 
@@ -19,7 +39,7 @@ class DuplicateName(Rule):
 
     Nothing can tell them apart: libsdformat refuses the document, and of two joints or
     links only the first would ever be found. Names are unique in their model or world;
-    another model may use them again.
+    another model may use them again. Sensors of links that libsdformat merges become siblings.
     """
 
     code = "NAM001"
@@ -42,8 +62,14 @@ class DuplicateName(Rule):
             says="there is another model `a` in world `w`",
         ),
         Bad('<world name="a"/><world name="«a»"/>', scaffold='<sdf version="1.12">{}</sdf>'),
+        Bad(
+            MERGED.replace("{}", "«s»"),
+            scaffold='<robot name="r">{}</robot>',
+            says="there is another sensor `s` in link `a`, with which libsdformat merges this one",
+        ),
     )
     good = (
+        Good(MERGED.replace("{}", "t"), scaffold='<robot name="r">{}</robot>'),
         Good('<model name="n"><link name="base"/></model>', why="another model is another scope"),
         Good(
             '<plugin name="p" filename="a"/><plugin name="p" filename="b"/>',
@@ -58,7 +84,7 @@ class DuplicateName(Rule):
     def applies(root: Root) -> bool:
         return any(
             first.kind == later.kind and not is_free(first, later, root) for first, later in root.names.shared
-        )
+        ) or bool(merged_sensors(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for first, later in root.names.shared:
@@ -71,6 +97,28 @@ class DuplicateName(Rule):
                 labels={first.value: "the first one"},
                 affects=_affects(later),
             )
+        for link, first_sensor, sensor in merged_sensors(root):
+            yield self.diagnostic(
+                sensor.name_value or sensor,
+                f"there is another sensor `{sensor.name}` in {link.origin.title}, with which libsdformat merges"
+                " this one",
+                labels={first_sensor.name_value or first_sensor: "the first one"},
+                affects=dict.fromkeys(UNAWARE, accepts("does not read it")),
+            )
+
+
+def merged_sensors(root: Root) -> list[tuple[BuiltLink, Sensor, Sensor]]:
+    """In URDF: sensors of one name in links that become one, each with that link and the first sensor."""
+    if not root.is_urdf or len(root.elements.get("sensor", ())) < 2 or not root.models:
+        return []
+    found = []
+    for link in root.models[0].as_built_by(Consumer.GAZEBO).links.values():
+        first: dict[str, Sensor] = {}
+        for sensor in link.sensors if len(link.members) > 1 else ():
+            earlier = first.setdefault(sensor.name, sensor)
+            if sensor.name and earlier.holder is not sensor.holder:
+                found.append((link, earlier, sensor))
+    return found
 
 
 def _affects(later: Name) -> dict[Consumer, Reaction]:

@@ -33,6 +33,7 @@ class ControlPluginWithoutParameters(Rule):
             '<gazebo><«plugin» filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin"/>'
             "</gazebo>",
             says="plugin `gz_ros2_control::GazeboSimROS2ControlPlugin` needs `<parameters>`",
+            also=("R2C037",),
         ),
     )
     good = (
@@ -53,6 +54,8 @@ class ControlPluginWithoutParameters(Rule):
     @staticmethod
     def applies(plugin: Plugin) -> bool:
         if plugin.filename not in NEEDY or plugin.is_template:
+            return False
+        if any(meant == "parameters" for _, meant in plugin.misspelled_parameters):
             return False
         # With an argument in it that is empty by default, the launch file gives the path.
         return not any(each.content or each.own_value.span.text for each in plugin.children("parameters"))

@@ -1,16 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, rename
+from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, Value, rename, suggest
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
 
 PARAMETERS = ("initial_value", "max", "min")
+INITIAL = frozenset({"initial_effort", "initial_position", "initial_velocity"})
+"""Read by some hardware of older releases."""
 
 
 class IgnoredControlElement(Rule):
     """An element in a joint, interface or other part of `ros2_control` that nothing reads.
 
     The parser takes the elements that it knows and ignores all others in silence, so that a misspelled
-    interface is not there and a misspelled reduction stays at 1.
+    interface is not there and a misspelled reduction stays at 1. So it is with a parameter whose value is an
+    attribute, and with one of an interface that is nearly `min`, `max` or `initial_value`.
     """
 
     code = "R2C006"
@@ -45,15 +48,26 @@ class IgnoredControlElement(Rule):
             unsafe=True,
             scaffold=IN_BLOCK,
         ),
+        Bad(
+            '<state_interface name="position"><param name="initial_value" «value»="1"/></state_interface>',
+            says="ros2_control takes the text of `param`, and not its `value`",
+        ),
+        Bad(
+            '<state_interface name="position"><param name="«initial_position»">1</param></state_interface>',
+            fixed='<state_interface name="position"><param name="initial_value">1</param></state_interface>',
+            unsafe=True,
+            says="nothing reads `initial_position` of interface `position`; did you mean `initial_value`?",
+        ),
     )
     good = (
-        Good('<state_interface name="torque"/>'),
+        Good('<state_interface name="torque"><param name="initial_value">1</param></state_interface>'),
+        Good('<state_interface name="torque"><param name="filter">1</param></state_interface>', why="free"),
         Good('<vendor:gain name="k"/>', why="a prefix makes it free"),
     )
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return any(
+        return any(unread_parameters(block)) or any(
             holder is not block.element and ":" not in child.name for child, holder, _ in block.foreign
         )
 
@@ -69,3 +83,32 @@ class IgnoredControlElement(Rule):
             if not near and element.name in PARAMETERS and "param" in place.children:
                 message += f'; write it as `<param name="{element.name}">`'
             yield self.diagnostic(element, message, meant=near, fix=rename(near, element))
+        for value in unread_parameters(block):
+            interface = value.element.parent
+            if value.attribute == "value" or interface is None:
+                message = "ros2_control takes the text of `param`, and not its `value`"
+                yield self.diagnostic(value.name_span, message)
+            else:
+                message = (
+                    f"nothing reads `{value.text}` of interface `{interface.attributes.get('name', '')}`"
+                )
+                yield self.diagnostic(value, message, meant=meant(value.text))
+
+
+def meant(parameter: str) -> str | None:
+    """The parameter of an interface that was probably meant."""
+    return "initial_value" if parameter in INITIAL else suggest(parameter, PARAMETERS)
+
+
+def unread_parameters(block: Ros2Control) -> Iterator[Value]:
+    """The values of parameters that are attributes, and the names in interfaces that are nearly known ones."""
+    for element, _ in block.known:
+        if element.name != "param":
+            continue
+        value, name, holder = element.attribute("value"), element.attribute("name"), element.parent
+        if value is not None and not element.content:
+            yield value
+        elif name is None or holder is None or not holder.name.endswith("_interface"):
+            continue
+        elif name.text not in PARAMETERS and meant(name.text) is not None:
+            yield name

@@ -22,12 +22,16 @@ OF_SENSORS = frozenset(
     for axis in axes
 )
 SHORT = {"acc": "acceleration", "eff": "effort", "pos": "position", "vel": "velocity"}
+IN_GAZEBO = {"angle": "position", "force": "effort", "speed": "velocity", "torque": "effort"}
+"""Other words for what Gazebo's hardware reads and writes of a joint."""
 
 
 def meant(interface: ControlInterface) -> str | None:
     """The known name that was meant; None for a name of its own."""
     name, what = interface.name, interface.component.what
     known = OF_JOINTS if what == "joint" else OF_SENSORS if what == "sensor" else frozenset[str]()
+    if what == "joint" and name in IN_GAZEBO and interface.component.block.is_simulated:
+        return IN_GAZEBO[name]
     if name in known:
         return None
     if what == "joint" and name in SHORT:
@@ -84,9 +88,18 @@ class MisspelledInterface(Rule):
             scaffold=IN_BLOCK,
             says="did you mean `linear_acceleration.x`?",
         ),
+        Bad(
+            '<command_interface name="«torque»"/>',
+            fixed='<command_interface name="effort"/>',
+            unsafe=True,
+            scaffold=IN_LIFT.replace("mock_components/GenericSystem", "gz_ros2_control/GazeboSimSystem"),
+            says="did you mean `effort`?",
+            also=("R2C029",),
+        ),
     )
     good = (
         Good('<command_interface name="stiffness"/>', why="names are free"),
+        Good('<command_interface name="torque"/>', why="hardware of somebody's own may have it"),
         Good('<command_interface name="position_x"/>', why="made from a known name"),
     )
 

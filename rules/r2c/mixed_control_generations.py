@@ -11,7 +11,14 @@ SYSTEMS = {
 }
 """Library of Gazebo's plugin → the hardware of the simulator that it can load."""
 SIMULATED = f">\\s*(?:{'|'.join(sorted({each for group in SYSTEMS.values() for each in group}))})\\s*<"
-MOCKS = ("fake_components/GenericSystem", "mock_components/GenericSystem")
+FOREIGN = (
+    "fake_components/GenericSystem",
+    "joint_state_topic_hardware_interface/JointStateTopicSystem",
+    "mock_components/GenericSystem",
+    "mujoco_ros2_control/MujocoSystem",
+    "topic_based_ros2_control/TopicBasedSystem",
+)
+"""Hardware that no Gazebo loads."""
 ROBOT = (
     '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
     '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
@@ -25,8 +32,8 @@ class MixedControlGenerations(Rule):
     `gazebo_ros2_control` is for Gazebo Classic, `ign_ros2_control` for Fortress with ROS 2 Humble, `gz_ros2_control`
     for what came after. Each loads its own hardware only, but that `gz_ros2_control` knows the old name of its own. The
     block is ignored with an error, and no joint of it moves. The same holds for `mock_components/GenericSystem`, which
-    moves nothing and is for a robot without simulator; a file for xacro that has a simulator's hardware, too, chooses
-    by an argument.
+    moves nothing and is for a robot without simulator, and for the hardware of MuJoCo or of topics; a file for xacro
+    that has Gazebo's hardware, too, chooses by an argument.
     """
 
     code = "R2C034"
@@ -86,7 +93,7 @@ class MixedControlGenerations(Rule):
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return (block.is_simulated or is_only_mock(block)) and loader(block) is not None
+        return (block.is_simulated or is_only_foreign(block)) and loader(block) is not None
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         plugin, value = loader(block), block.plugin_value
@@ -103,10 +110,10 @@ def library_of(plugin: Plugin) -> str:
     return plugin.filename.removeprefix("lib").removesuffix(".so")
 
 
-def is_only_mock(block: Ros2Control) -> bool:
-    """Is its hardware made up, while the robot has none of a simulator?"""
+def is_only_foreign(block: Ros2Control) -> bool:
+    """Is its hardware none of Gazebo's, while no other block of the robot has any?"""
     value = block.plugin_value
-    if value is None or value.text.strip() not in MOCKS or block.model.has_simulated_hardware:
+    if value is None or value.text.strip() not in FOREIGN or block.model.has_simulated_hardware:
         return False
     return not block.document.may_write(SIMULATED)
 

@@ -65,11 +65,13 @@ class UnknownControlSimulator(Rule):
             fixed=SIMULATED,
             unsafe=True,
             says="`gz_ros2_control-system` has no class `gz_ros2_control::GazeboSimRos2Control`",
+            also=("R2C037",),
         ),
         Bad(
             '<gazebo><plugin filename="ign_ros2_control-system" name="«gz_ros2_control::GazeboSimROS2ControlPlugin»">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",
             says="`ign_ros2_control-system` has no class `gz_ros2_control::GazeboSimROS2ControlPlugin`",
+            also=("R2C037",),
             fixed='<gazebo><plugin filename="ign_ros2_control-system"'
             ' name="ign_ros2_control::IgnitionROS2ControlPlugin">'
             "<parameters>c.yaml</parameters></plugin></gazebo>",

@@ -69,6 +69,12 @@ class MalformedUri(Rule):
         ),
         Bad(MESH.format("«model://»"), says="names no model"),
         Bad(
+            "<include><uri>«https://fuel.gazebosim.org/1.0/me/model/Mine»</uri></include>",
+            fixed="<include><uri>https://fuel.gazebosim.org/1.0/me/models/Mine</uri></include>",
+            scaffold=IN_WORLD,
+            says="the server Fuel has no such address",
+        ),
+        Bad(
             MESH.format("«https:/fuel.example.org/arm»"),
             fixed=MESH.format("https://fuel.example.org/arm"),
             says="is not followed by two slashes",
@@ -81,6 +87,9 @@ class MalformedUri(Rule):
         ),
     )
     good = (
+        Good(
+            "<include><uri>https://fuel.gazebosim.org/1.0/me/models/Mine</uri></include>", scaffold=IN_WORLD
+        ),
         Good(MESH.format("model://Double pendulum/arm.dae"), why="names may have spaces"),
         Good(MESH.format("\n  meshes/arm.dae\n"), why="spaces around the text of an element do not count"),
     )
@@ -109,6 +118,7 @@ class MalformedUri(Rule):
             UriFault.UNKNOWN_SCHEME: f"the scheme `{scheme}` is not known",
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",
             UriFault.BLANK: f"`{text}` has a space that does not belong to it",
+            UriFault.FUEL_KIND: f"the server Fuel has no such address: `{text}`",
         }[fault]
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
         yield self.diagnostic(value, message, meant=meant, fix=fix, affects=affects, severity=severity)

@@ -7,7 +7,7 @@ class MisspelledPluginFile(Rule):
     """The file of a plugin is nearly, but not quite, that of a system or of a part of the window of Gazebo.
 
     Gazebo reports that it does not find the library, and goes on without it. The same holds for systems that newer
-    releases do not have any more.
+    releases do not have any more, and where the class is written in place of the library.
     """
 
     code = "RES015"
@@ -29,6 +29,12 @@ class MisspelledPluginFile(Rule):
             says="nothing in Gazebo is called `gz-sim-phyics-system`; did you mean `gz-sim-physics-system`?",
         ),
         Bad(
+            '<plugin filename="«libgazebo_ros_imu_sensors.so»" name="imu"/>',
+            fixed='<plugin filename="libgazebo_ros_imu_sensor.so" name="imu"/>',
+            unsafe=True,
+            says="did you mean `libgazebo_ros_imu_sensor.so`?",
+        ),
+        Bad(
             '<gui><plugin filename="«WorldControls»" name="World control"/></gui>',
             fixed='<gui><plugin filename="WorldControl" name="World control"/></gui>',
             unsafe=True,
@@ -37,6 +43,12 @@ class MisspelledPluginFile(Rule):
         Bad(
             '<plugin filename="«gz-sim-particle-emitter2-system»" name="gz::sim::systems::ParticleEmitter2"/>',
             says="`gz-sim-particle-emitter2-system` is gone since Gazebo Sim 8",
+        ),
+        Bad(
+            '<plugin filename="«gz::sim::systems::Physics»" name="gz::sim::systems::Physics"/>',
+            fixed='<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
+            unsafe=True,
+            says="`gz::sim::systems::Physics` is a class, and `filename` names its library",
         ),
     )
     good = (
@@ -57,4 +69,7 @@ class MisspelledPluginFile(Rule):
             message = f"`{plugin.known.file}` is gone since Gazebo Sim {int(plugin.known.last) + 1}"
             yield self.diagnostic(value, message)
             return
-        yield self.diagnostic(value, f"nothing in Gazebo is called `{plugin.filename}`", meant=meant)
+        message = f"nothing in Gazebo is called `{plugin.filename}`"
+        if "::" in plugin.filename:
+            message = f"`{plugin.filename}` is a class, and `filename` names its library"
+        yield self.diagnostic(value, message, meant=meant)

@@ -6,7 +6,7 @@ DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-
 
 
 class MisspelledPluginParameter(Rule):
-    """A parameter is nearly, but not quite, one that the plugin reads.
+    """A parameter is nearly, but not quite, one that the plugin reads, or one of another generation of Gazebo.
 
     Plugins ask for their parameters by name, and never say what they did not ask for: the default is
     taken. Case counts.
@@ -39,17 +39,26 @@ class MisspelledPluginParameter(Rule):
             unsafe=True,
             says="did you mean `controller_manager_name`?",
         ),
+        Bad(
+            DRIVE.format("<«wheel_diameter»>0.2</wheel_diameter>"),
+            says="does not read `wheel_diameter`, which is a parameter of `gazebo_ros_diff_drive`",
+            also=("RES021",),
+        ),
     )
     good = (
+        Good(DRIVE.format("<topic>cmd_vel</topic>")),
         Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),
         Good(DRIVE.format("<comment>fast</comment>"), why="like nothing that it reads"),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return any(plugin.misspelled_parameters)
+        return bool(plugin.misspelled_parameters or plugin.foreign_parameters)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`"
             yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))
+        for parameter, other in plugin.foreign_parameters:
+            message = f"{plugin.title} does not read `{parameter.name}`, which is a parameter of `{other}`"
+            yield self.diagnostic(parameter, message)

@@ -26,7 +26,6 @@ class UnorderedWaypoints(Rule):
     They are seconds from the beginning of the trajectory, not durations. To wait somewhere, repeat the pose
     with a later time.
     """
-    preview = True
     looks_at = (Actor,)
     scaffold = IN_WORLD
 

@@ -83,5 +83,4 @@ class MissingLimit(Rule):
 
 
 def is_locked(limit: Limit) -> bool:
-    lower, upper = limit.attribute("lower"), limit.attribute("upper")
-    return lower is None and upper is None and limit.joint.type in BOUNDED
+    return limit.joint.type in BOUNDED and limit.lacks("lower") and limit.lacks("upper")

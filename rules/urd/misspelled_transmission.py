@@ -48,6 +48,12 @@ class MisspelledTransmission(Rule):
             unsafe=True,
             says="ros_control has no `hardware_interface/EfortJointInterface`; did you mean",
         ),
+        Bad(
+            JOINT.format(ONE.format(EFFORT.format("«EffortJointInterfac»"), RATIO)),
+            fixed=JOINT.format(ONE.format(EFFORT.format("hardware_interface/EffortJointInterface"), RATIO)),
+            unsafe=True,
+            says="did you mean `hardware_interface/EffortJointInterface`?",
+        ),
     )
     good = (
         Good(JOINT.format(ONE.format(EFFORT.format("hardware_interface/EffortJointInterface"), RATIO))),
@@ -73,11 +79,13 @@ def misspelled(transmission: Transmission) -> Iterator[tuple[Value, str]]:
         asked += [(each.own_value, INTERFACES) for each in joint.children("hardwareInterface")]
     for value, known in asked:
         text = "" if value is None else value.text.strip()
-        if value is None or text in known or "/" not in text or "$" in text:
+        if value is None or text in known or not text or "$" in text:
             continue
         folder = known[0].partition("/")[0]
+        if "/" not in text and known is INTERFACES:
+            text = f"{folder}/{text}"  # whose own mistake unprefixed-hardware-interface is
         meant = suggest(text, known)
-        if meant is not None and (
+        if meant not in {None, text} and (
             text.startswith(f"{folder}/") or suggest(text.partition("/")[0], (folder,))
         ):
             yield value, meant

@@ -82,6 +82,17 @@ def known(filename: str) -> tuple[PluginFacts, ...]:
 
 
 @cache
+def counterparts(filename: str) -> tuple[PluginFacts, ...]:
+    """The entries of files that do the same in other generations, such as the drives of Classic."""
+    own = _purpose(stem(filename))
+    return tuple(facts for key in _entries() if _purpose(key) == own for facts in known(key))
+
+
+def _purpose(stem: str) -> str:
+    return stem.removeprefix("gz-sim-").removeprefix("gazebo_ros_").removesuffix("-system").replace("-", "_")
+
+
+@cache
 def known_files() -> tuple[str, ...]:
     """The files of gz-sim's own systems, without ``lib`` and ``.so``."""
     return tuple(name for name, entries in _entries().items() if f"\t{GZ_SIM}\t" in entries[0])
@@ -92,6 +103,18 @@ def systems() -> tuple[str, ...]:
     """The files of gz-sim's own systems that its newest release has, under the names that are written."""
     newest = {name: _facts(_entries()[name][0]) for name in known_files()}
     return tuple(sorted(name for name, facts in newest.items() if not facts.last))
+
+
+def file_of_class(name: str) -> str | None:
+    """The file of gz-sim's own system that has a class."""
+    having = (file for file in known_files() if name in _facts(_entries()[file][0]).classes)
+    return next(having, None)
+
+
+@cache
+def ros_files() -> tuple[str, ...]:
+    """The files of the plugins of ROS for Gazebo Classic, without ``lib`` and ``.so``."""
+    return tuple(name for name in _entries() if name.startswith("gazebo_ros_"))
 
 
 @cache

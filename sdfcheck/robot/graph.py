@@ -11,7 +11,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from itertools import takewhile
+from itertools import permutations, product, takewhile
 from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
 from sdfcheck.formats.schema import AttributeDefinition, Definition
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Triple
     from sdfcheck.robot.motion.poses import Array, Pose
+    from sdfcheck.source.text import Span
 
 
 # Mass and inertia of links.
@@ -1503,9 +1504,26 @@ _USUAL = {
     "link_name": "link",
     "jointName": "joint",
     "joint_name": "joint",
+    "mimicJoint": "joint",
+    "arm/palm_link": "link",
+    "arm/gripper_link": "link",
 }
 """Parameter of a plugin that is not known → the kind of thing that it names."""
 _ALWAYS = frozenset({"", "world", "canonical", "__default__"})
+
+
+class _Listed(Value):
+    """One name of a list with commas."""
+
+    __slots__ = ()
+
+    @property
+    def span(self) -> Span:
+        whole = super().span
+        found = re.search(rf"(?<![^\s,]){re.escape(self.text)}(?![^\s,])", whole.text)
+        if found is None:
+            return whole
+        return whole.source.span(whole.start + found.start(), whole.start + found.end())
 
 
 class PluginReference(NamedTuple):
@@ -1535,7 +1553,7 @@ def references(plugin: Plugin, namings: Iterable[Naming]) -> Iterator[PluginRefe
     for naming in namings:
         for value in _written(plugin.element, naming):
             name = value.text.strip()
-            if name in _ALWAYS or _TEMPLATE.search(name) or (naming.is_list and "," in name):
+            if name in _ALWAYS or _TEMPLATE.search(name):
                 continue
             name = name.removeprefix(f"{model.name}::")
             if "::" in name and (not naming.is_scoped or model.may_hold(name)):
@@ -1559,7 +1577,11 @@ def _written(element: Element, naming: Naming) -> Iterator[Value]:
         found = [child for parent in found for child in parent.children(step)]
     for child in found:
         value = child.attribute(attribute) if attribute else child.own_value
-        if value is not None:
+        if value is None:
+            continue
+        names = value.text.split(",") if naming.is_list and "," in value.text else ()
+        yield from (_Listed(value.element, value.attribute, name.strip()) for name in names if name.strip())
+        if not names:
             yield value
 
 
@@ -1625,11 +1647,15 @@ class Plugin(Part):
         facts = self.known
         namings = facts.namings if facts is not None else ()
         if facts is None or ("bodyName" in facts.required and not namings):
-            if not any(child.name in _USUAL for child in self.parameters):
+            given = {child.name for child in self.parameters}
+            usual = {path: kind for path, kind in _USUAL.items() if path.partition("/")[0] in given}
+            if not usual:
                 return ()
             from sdfcheck.formats.plugins import Naming
 
-            namings = tuple(Naming(name, kind, True, False) for name, kind in _USUAL.items())
+            namings = tuple(Naming(path, kind, True, False) for path, kind in usual.items())
+            if "mimicJoint" in usual:
+                namings += (Naming("joint", "joint", True, False),)
         return tuple(references(self, namings)) if namings else ()
 
     @property
@@ -1667,10 +1693,15 @@ class Plugin(Part):
         name = self.filename
         if self.known is not None or "$" in name:
             return None
-        from sdfcheck.formats.plugins import gui_files, known_files, stem
+        from sdfcheck.formats.plugins import file_of_class, gui_files, known_files, ros_files, stem
 
+        if "::" in name:
+            return file_of_class(name)
         if "gz-sim" in name or "ignition-gazebo" in name:
             return self.nearest(stem(name), known_files())
+        if stem(name).startswith("gazebo_ros_"):
+            near = self.nearest(stem(name), ros_files())
+            return None if near is None else f"lib{near}.so"
         parent = self.element.parent
         if name and parent is not None and parent.name == "gui":
             return self.nearest(stem(name), gui_files())
@@ -1698,6 +1729,25 @@ class Plugin(Part):
             for each in unread
         )
         return tuple((each, meant) for each, meant in found if meant is not None)
+
+    @lazy
+    def foreign_parameters(self) -> tuple[tuple[Element, str], ...]:
+        """The parameters that it does not read, but its counterpart in another generation, each with that."""
+        facts = self.known
+        if facts is None or not facts.parameters:
+            return ()
+        from sdfcheck.formats.plugins import counterparts
+
+        meant = {parameter for parameter, _ in self.misspelled_parameters}
+        unread = [each for each in self.parameters if each not in meant and not facts.reads(each.name)]
+        others = (
+            [other for other in counterparts(self.filename) if other.file != facts.file] if unread else ()
+        )
+        return tuple(
+            (each, other.file)
+            for each in unread
+            if (other := next((o for o in others if o.reads(each.name)), None)) is not None
+        )
 
     @lazy
     def missing_parameters(self) -> tuple[str, ...]:
@@ -1738,20 +1788,37 @@ class Plugin(Part):
         return any("xacro:" in child.name or "$" in child.content for child in self.parameters)
 
 
-# Differential drives: what the parameters of a plugin say, and where the wheels are.
+# Drives: what the parameters of a plugin say, and where the wheels are.
 
 
-_LEFT = ("left_joint", "leftJoint", "front_left_joint", "back_left_joint")
-_RIGHT = ("right_joint", "rightJoint", "front_right_joint", "back_right_joint")
+_SIDES = (
+    ("left_joint", "leftJoint", "front_left_joint", "back_left_joint", "leftFrontJoint", "leftRearJoint"),
+    (
+        "right_joint",
+        "rightJoint",
+        "front_right_joint",
+        "back_right_joint",
+        "rightFrontJoint",
+        "rightRearJoint",
+    ),
+    ("left_steering_joint",),
+    ("right_steering_joint",),
+)
 _SEPARATION = ("wheel_separation", "wheelSeparation")
 _RADIUS = ("wheel_radius", "wheelRadius")
 _BASE = ("wheel_base", "wheelbase")
 _DIAMETER = ("wheel_diameter", "wheelDiameter")
+_AHEAD = pattern("(?i)front")
+_BEHIND = pattern("(?i)back|rear")
+_NEAR = 0.005
+"""m: wheels that are nearer are at one place."""
 
 
 class Wheel(NamedTuple):
-    """A wheel of a drive, in the frame of the model."""
+    """A wheel of a drive, or what steers one, in the frame of the model."""
 
+    name: Element
+    """The parameter that names the joint."""
     joint: Joint
     position: tuple[float, ...]
     axis: tuple[float, ...]
@@ -1759,37 +1826,70 @@ class Wheel(NamedTuple):
     radius: float
     """m, of its round shape; nan where there is none."""
 
+    def ahead_of(self, other: Wheel, direction: tuple[float, ...]) -> float:
+        """How far it is from another wheel, along a direction (m)."""
+        pairs = zip(self.position, other.position, direction, strict=True)
+        return sum((own - others) * along for own, others, along in pairs)
+
 
 class Drive(NamedTuple):
-    """A drive with one wheel on each side, or with several whose distance along the robot it takes as well."""
+    """A drive with the same number of wheels on each side."""
 
-    left: Wheel
-    right: Wheel
-    left_name: Element
-    """The parameter that names the joint."""
-    right_name: Element
+    lefts: tuple[Wheel, ...]
+    rights: tuple[Wheel, ...]
+    steering: tuple[Wheel, ...]
+    """The steering joints on the left and on the right, or nothing."""
     separation: Element | None
     radius: Element | None
     """The parameter of the radius or the diameter."""
-    base: Element | None = None
+    base: Element | None
     """The parameter of the distance of the axles."""
-    rear: Wheel | None = None
-    """The other wheel on the left."""
+
+    @property
+    def left(self) -> Wheel:
+        """The first wheel on the left."""
+        return self.lefts[0]
+
+    @property
+    def right(self) -> Wheel:
+        """The first wheel on the right."""
+        return self.rights[0]
+
+    @property
+    def wheels(self) -> tuple[Wheel, ...]:
+        """Those of both sides."""
+        return (*self.lefts, *self.rights)
 
     @property
     def distance(self) -> float:
-        """How far to the left of the right wheel the left one is, along its axis (m)."""
-        pairs = zip(self.left.position, self.right.position, self.left.axis, strict=True)
-        return sum((left - right) * along for left, right, along in pairs)
+        """How far to the left of the first right wheel the first left one is, along its axis (m)."""
+        return self.left.ahead_of(self.right, self.left.axis)
 
     @property
     def axle_distance(self) -> float:
         """How far the wheels on the left are apart, across their axis (m); nan where there is one."""
-        if self.rear is None:
+        if len(self.lefts) != 2:
             return math.nan
-        apart = [a - b for a, b in zip(self.left.position, self.rear.position, strict=True)]
-        along = sum(step * axis for step, axis in zip(apart, self.left.axis, strict=True))
+        apart = [a - b for a, b in zip(self.left.position, self.lefts[1].position, strict=True)]
+        along = self.left.ahead_of(self.lefts[1], self.left.axis)
         return math.sqrt(max(0.0, math.hypot(*apart) ** 2 - along**2))
+
+    @property
+    def misplaced(self) -> tuple[Wheel, Wheel, str] | None:
+        """A wheel on the wrong side or end, one that shows it, and where the first is from there."""
+        axis = self.left.axis
+        if any(sum(a * b for a, b in zip(axis, wheel.axis, strict=True)) <= 0.5 for wheel in self.wheels):
+            return None
+        forwards = (axis[1], -axis[0], 0.0)
+        pairs = [(*pair, axis, "to the right of") for pair in product(self.lefts, self.rights)]
+        pairs += [(*pair, axis, "to the right of") for pair in product(self.steering[:1], self.steering[1:])]
+        pairs += [
+            (*pair, forwards, "behind")
+            for pair in permutations(self.wheels, 2)
+            if _AHEAD.search(pair[0].name.name) and _BEHIND.search(pair[1].name.name)
+        ]
+        found = ((one, other, way) for one, other, along, way in pairs if other.ahead_of(one, along) > _NEAR)
+        return next(found, None)
 
     @property
     def written_radius(self) -> float:
@@ -1799,22 +1899,21 @@ class Drive(NamedTuple):
 
 
 def drive_of(plugin: Plugin) -> Drive | None:
-    """The drive that a plugin makes; None for other plugins, more wheels a side, and what is not known."""
+    """The drive that a plugin makes; None for other plugins, and where a wheel is not known."""
     model = _driven_model(plugin)
     given: dict[str, list[Element]] = {}
     for parameter in plugin.parameters:
         given.setdefault(parameter.name, []).append(parameter)
-    lefts, rights = ([each for name in names for each in given.get(name, ())] for names in (_LEFT, _RIGHT))
-    base = _only(given, _BASE)
-    if model is None or not 0 < len(lefts) == len(rights) <= (1 if base is None else 2):
+    named = [[each for name in names for each in given.get(name, ())] for names in _SIDES]
+    if model is None or not 0 < len(named[0]) == len(named[1]) or len(named[2]) != len(named[3]):
         return None
-    wheels = [_wheel(model, name.content.strip()) for name in (lefts[0], rights[0], *lefts[1:])]
-    first, second, *rear = wheels
-    if first is None or second is None or first.joint is second.joint:
+    lefts, rights, *steering = (tuple(filter(None, (_wheel(model, n) for n in names))) for names in named)
+    joints = {wheel.joint for wheel in (*lefts, *rights)}
+    if len(joints) < 2 * len(named[0]):
         return None
-    radius = _only(given, (*_RADIUS, *_DIAMETER))
-    separation = _only(given, _SEPARATION)
-    return Drive(first, second, lefts[0], rights[0], separation, radius, base, rear[0] if rear else None)
+    radius, separation = _only(given, (*_RADIUS, *_DIAMETER)), _only(given, _SEPARATION)
+    turned = tuple(wheel for side in steering for wheel in side)
+    return Drive(lefts, rights, turned if len(turned) == 2 else (), separation, radius, _only(given, _BASE))
 
 
 def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:
@@ -1827,11 +1926,11 @@ def _driven_model(plugin: Plugin) -> Model | None:
     return scope if isinstance(scope, Model) else None
 
 
-def _wheel(model: Model, name: str) -> Wheel | None:
-    joint = model.joints_by_name.get(name)
+def _wheel(model: Model, name: Element) -> Wheel | None:
+    joint = model.joints_by_name.get(name.content.strip())
     if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
         return None
-    return Wheel(joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
+    return Wheel(name, joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
 
 
 def wheel_radius(joint: Joint) -> float:

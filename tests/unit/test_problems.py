@@ -81,6 +81,31 @@ GZ_CONTROL = """<gazebo>
 <plugin filename="{}" name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>c.yaml</parameters></plugin>
 </gazebo>
 """
+WAGON = CART + "".join(
+    WHEEL.format(side=f"front_{side}", y=y).replace('origin xyz="0 ', 'origin xyz="0.4 ')
+    for side, y in (("left", "0.15"), ("right", "-0.15"))
+)
+FOUR_WHEELS = """<gazebo>
+<plugin filename="gz-sim-{0}-drive-system" name="gz::sim::systems::{1}Drive">
+{2}
+</plugin>
+</gazebo>
+"""
+MECANUM = """<front_left_joint>front_left_joint</front_left_joint>
+<front_right_joint>front_right_joint</front_right_joint>
+<back_left_joint>left_joint</back_left_joint>
+<back_right_joint>right_joint</back_right_joint>
+<wheelbase>{}</wheelbase>"""
+SLIDE = FINGER.replace('upper="0.04"', 'upper="@@"')
+GRIPPED = '<visual><geometry><box size="0.05 0.02 0.02"/></geometry></visual></link>\n<joint name="grip"'
+STATE = """<ros2_control name="all" type="system">
+<hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>
+<joint name="shoulder">
+<{}_interface name="{}">{}</{}_interface>
+</joint>
+{}</ros2_control>
+"""
+CONTROLLED = GZ_CONTROL.format("gz_ros2_control-system")
 SCAN = """<scan><horizontal><samples>360</samples><min_angle>-3</min_angle><max_angle>3</max_angle></horizontal></scan>
 <range><min>0.1</min><max>10</max></range>"""
 TRANSMISSION = """<transmission name="t">
@@ -546,6 +571,286 @@ PROBLEMS = {
         "scan_xd",
         "RES001",
         **{"package.xml": '<package format="3"><name>scan_xd</name><version>1.0.0</version></package>'},
+    ),
+    # Drives
+    "a drive and ros2_control turn one wheel": Problem(
+        "GAZ023",
+        robot(
+            CART,
+            STATE.format("@@", "velocity", "", "@@", "").replace("shoulder", "left_joint"),
+            CONTROLLED,
+            DRIVE,
+        ),
+        "command",
+        "state",
+        8,
+    ),
+    "a drive has one joint for both sides": Problem(
+        "GAZ023",
+        GZ_DRIVEN.replace("<right_joint>right_joint", "<right_joint>@@"),
+        "left_joint",
+        "right_joint",
+    ),
+    "one wheel is fixed": Problem(
+        "JNT028",
+        robot(CART.replace('"right_joint" type="continuous"', '"right_joint" type="@@"')),
+        "fixed",
+        "continuous",
+    ),
+    "the wheels of one axle are exchanged": Problem(
+        "GEO009",
+        robot(
+            WAGON,
+            FOUR_WHEELS.format(
+                "diff",
+                "Diff",
+                "<left_joint>front_left_joint</left_joint>\n<right_joint>front_right_joint</right_joint>\n@@",
+            ),
+        ),
+        "<left_joint>right_joint</left_joint><right_joint>left_joint</right_joint>",
+        "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>",
+    ),
+    "front and rear of a mecanum drive are exchanged": Problem(
+        "GEO009",
+        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4")))
+        .replace("<front_left_joint>front_left_joint</front_left_joint>", "@@", 1)
+        .replace("<back_left_joint>left_joint</back_left_joint>", "<!-- -->"),
+        "<front_left_joint>left_joint</front_left_joint><back_left_joint>front_left_joint</back_left_joint>",
+        "<front_left_joint>front_left_joint</front_left_joint><back_left_joint>left_joint</back_left_joint>",
+    ),
+    "the axles are not as far apart as the plugin says": Problem(
+        "GEO016",
+        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("@@"))),
+        "0.8",
+        "0.4",
+    ),
+    "a drive has the diameter of Classic": Problem(
+        "RES019",
+        GZ_DRIVEN.replace("<wheel_radius>0.07</wheel_radius>", "<@@>0.07</@@>"),
+        "wheel_diameter",
+        "wheel_radius",
+    ),
+    "a class stands in place of its library": Problem(
+        "RES015",
+        GZ_DRIVEN.replace('filename="gz-sim-diff-drive-system"', 'filename="@@"'),
+        "gz::sim::systems::DiffDrive",
+        "gz-sim-diff-drive-system",
+    ),
+    "a library of ROS is misspelled": Problem(
+        "RES015",
+        robot(CART, ROS_DRIVE.format("").replace("libgazebo_ros_diff_drive.so", "@@")),
+        "libgazebo_ros_diff_drives.so",
+        "libgazebo_ros_diff_drive.so",
+    ),
+    "the odometry is that of a link that is not there": Problem(
+        "GAZ020",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo><plugin filename="gz-sim-odometry-publisher-system" name="gz::sim::systems::OdometryPublisher">\n'
+            "<robot_base_frame>@@</robot_base_frame></plugin></gazebo>",
+        ),
+        "base_footprint",
+        "base_link",
+    ),
+    "a plugin for mimic joints moves one that is not there": Problem(
+        "RES014",
+        robot(
+            ARM,
+            FINGER,
+            '<gazebo><plugin filename="libroboticsgroup_gazebo_mimic_joint_plugin.so" name="m">\n'
+            "<joint>shoulder</joint><mimicJoint>@@</mimicJoint></plugin></gazebo>",
+        ),
+        "grip_joint",
+        "grip",
+    ),
+    "a gripper has no such palm": Problem(
+        "RES014",
+        robot(
+            ARM,
+            '<gazebo><plugin filename="libgazebo_grasp_fix.so" name="m">\n'
+            "<arm><palm_link>@@</palm_link></arm></plugin></gazebo>",
+        ),
+        "palm",
+        "upper",
+    ),
+    "a list of joints has one that is not there": Problem(
+        "RES014",
+        robot(
+            ARM,
+            '<gazebo><plugin filename="libgazebo_ros_joint_state_publisher.so" name="m">\n'
+            "<jointName>shoulder, @@</jointName></plugin></gazebo>",
+        ),
+        "elbow",
+        "shoulder",
+    ),
+    "a static model is to be driven": Problem(
+        "GAZ021",
+        model(
+            "<static>@@</static>",
+            f'<link name="l">{SDF_BODY}</link>\n<link name="w"><pose>0.3 0 0 0 0 0</pose>{SDF_BODY}</link>\n'
+            '<joint name="j" type="revolute"><parent>l</parent><child>w</child><axis><xyz>0 0 1</xyz></axis></joint>\n'
+            '<plugin filename="gz-sim-joint-controller-system" name="gz::sim::systems::JointController">'
+            "<joint_name>j</joint_name></plugin>",
+        ),
+        "true",
+        "false",
+        suffix=".sdf",
+    ),
+    "two sensors have one name once their links are merged": Problem(
+        "NAM001",
+        robot(
+            CART,
+            DRIVE,
+            '<link name="mast"/>\n<joint name="m" type="fixed"><parent link="body"/><child link="mast"/></joint>\n'
+            '<gazebo reference="body"><sensor name="imu" type="imu"><topic>a</topic></sensor></gazebo>\n'
+            '<gazebo reference="mast"><sensor name="@@" type="imu"><topic>b</topic></sensor></gazebo>',
+        ),
+        "imu",
+        "imu_2",
+    ),
+    "a sensor is turned by degrees": Problem(
+        "FRM006",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo reference="body"><sensor name="imu" type="imu"><topic>a</topic>\n<pose>0 0 0 @@ 0 0</pose>'
+            "</sensor></gazebo>",
+        ),
+        "90",
+        "1.5708",
+    ),
+    "an address of Fuel has the wrong kind": Problem(
+        "RES004",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n<include>'
+        "<uri>https://fuel.gazebosim.org/1.0/me/@@/Mine</uri></include>\n</world>\n</sdf>\n",
+        "model",
+        "models",
+        suffix=".sdf",
+    ),
+    # ros2_control and transmissions, once more
+    "there is nothing that ros2_control could move": Problem(
+        "R2C037",
+        robot(ARM, "@@", CONTROLLED),
+        "",
+        STATE.format("command", "position", "", "command", ""),
+        1,
+    ),
+    "there is no transmission that ros_control could move": Problem(
+        "R2C037",
+        robot(ARM, '<gazebo>\n<plugin filename="libgazebo_ros_control.so" name="c"/>\n</gazebo>@@'),
+        "",
+        TRANSMISSION.format(
+            "transmission_interface/SimpleTransmission", "hardware_interface/EffortJointInterface"
+        ),
+        -1,
+    ),
+    "Gazebo does not load the hardware of MuJoCo": Problem(
+        "R2C034",
+        robot(ARM, CONTROL.format("@@", "shoulder"), CONTROLLED),
+        "mujoco_ros2_control/MujocoSystem",
+        "gz_ros2_control/GazeboSimSystem",
+    ),
+    "a sensor of ros2_control has the name of its link": Problem(
+        "R2C036",
+        robot(
+            ARM,
+            STATE.format(
+                "command",
+                "position",
+                "",
+                "command",
+                '<sensor name="@@"><state_interface name="orientation.x"/></sensor>\n',
+            ),
+            CONTROLLED,
+            '<gazebo reference="upper"><sensor name="imu" type="imu"><topic>a</topic></sensor></gazebo>',
+        ),
+        "upper",
+        "imu",
+    ),
+    "Gazebo knows no torque": Problem(
+        "R2C024",
+        robot(ARM, STATE.format("command", "@@", "", "command", ""), CONTROLLED),
+        "torque",
+        "effort",
+    ),
+    "a joint starts where older hardware was told to": Problem(
+        "R2C006",
+        robot(
+            ARM, STATE.format("state", "position", '<param name="@@">0.2</param>', "state", ""), CONTROLLED
+        ),
+        "initial_position",
+        "initial_value",
+    ),
+    "a parameter has its value in an attribute": Problem(
+        "R2C006",
+        robot(
+            ARM, STATE.format("state", "position", '<param name="initial_value"@@', "state", ""), CONTROLLED
+        ),
+        ' value="0.2"/>',
+        ">0.2</param>",
+    ),
+    "a transmission is for a joint that is fixed": Problem(
+        "URD011",
+        robot(
+            ARM,
+            TRANSMISSION.format(
+                "transmission_interface/SimpleTransmission", "hardware_interface/EffortJointInterface"
+            ).replace('joint name="shoulder"', 'joint name="@@"'),
+        ),
+        "stand_joint",
+        "shoulder",
+    ),
+    # Joints and shapes, once more
+    "all soft limits are zero": Problem(
+        "JNT017",
+        robot(ARM.replace('velocity="2"/>', 'velocity="2"/>\n<safety_controller k_velocity="1" @@/>')),
+        'soft_lower_limit="0" soft_upper_limit="0"',
+        'soft_lower_limit="-0.9" soft_upper_limit="0.9"',
+    ),
+    "a gripper opens by sixty meters": Problem(
+        "JNT029", robot(ARM, SLIDE.replace('</link>\n<joint name="grip"', GRIPPED)), "60", "0.06"
+    ),
+    "limits have other names": Problem("URD002", robot(ARM.replace('lower="-1"', '@@="-1"')), "min", "lower"),
+    "a cylinder has a height": Problem(
+        "URD002", robot(ARM.replace('length="0.4"', '@@="0.4"')), "height", "length"
+    ),
+    "a child has a name": Problem(
+        "URD002", robot(ARM.replace('child link="upper"', 'child @@="upper"')), "name", "link"
+    ),
+    "nothing is seen of a color": Problem(
+        "URD031", robot('<material name="grey">\n<color rgba="0.5 0.5 0.5 @@"/></material>', ARM), "0", "1"
+    ),
+    "a box is in millimeters": Problem(
+        "GEO001",
+        robot(ARM.replace(f"<visual>{BOX}", '<visual>\n<geometry><box size="@@"/></geometry>')),
+        "300 200 100",
+        "0.3 0.2 0.1",
+    ),
+    "a joint is placed in millimeters": Problem(
+        "GEO015", robot(ARM.replace('xyz="0 0 0.05"', 'xyz="0 0 @@"')), "50", "0.05"
+    ),
+    "a mesh in meters is scaled down": Problem(
+        "GEO002",
+        robot(
+            ARM.replace(
+                f"<visual>{BOX}</visual><collision>{BOX}</collision>",
+                '\n<visual><geometry><mesh filename="meshes/a.stl"@@/></geometry></visual>',
+            )
+        ),
+        ' scale="0.001 0.001 0.001"',
+        "",
+        files={"meshes/a.stl": cube()},
+    ),
+    "a mesh is a drawing": meshed(
+        "meshes/@@", "a.step", "a.stl", "GEO006", **{"meshes/a.step": "ISO-10303-21;"}
+    ),
+    "a mesh lacks its materials": meshed(
+        "meshes/@@",
+        "a.obj",
+        "a.stl",
+        "GEO017",
+        **{"meshes/a.obj": "mtllib a.mtl\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\n"},
     ),
     # xacro
     "a parenthesis is not closed": in_xacro(

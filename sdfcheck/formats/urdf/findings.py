@@ -23,6 +23,10 @@ from sdfcheck.source.text import is_expression
 # The meaning of misspelled elements and attributes of URDF, among those that are missing beside them.
 
 
+_OTHER_WORDS = {"min": "lower", "max": "upper"}
+_OTHER_MEASURES = frozenset({"diameter"})
+
+
 def misspells(element: Element, name: str) -> bool:
     """Is there a misspelled attribute or child element that means one of this name?"""
     place = definition(element)
@@ -79,7 +83,15 @@ def meant_attribute(element: Element, name: str, place: Definition) -> str | Non
     """The name that an unknown attribute was probably meant to have, among those that are missing."""
     if name in place.attributes:
         return None
-    return suggest(name, [each for each in place.attributes if each not in element.attributes])
+    missing = [each for each in place.attributes if each not in element.attributes]
+    word = _OTHER_WORDS.get(name)
+    near = suggest(name, missing) or (word if word in missing else None)
+    if near is not None or name in _OTHER_MEASURES or element.name in {"inertia", "limit"}:
+        return near
+    # The one attribute that is too many must mean the one that the element cannot do without.
+    strange = [each for each in element.attributes if each not in place.attributes and ":" not in each]
+    needed = [each for each in place.required_attributes if each in missing]
+    return needed[0] if len(needed) == 1 and strange == [name] else None
 
 
 # Why something does not fit URDF's table: the explaining side of the walk.

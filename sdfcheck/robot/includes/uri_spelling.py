@@ -15,6 +15,8 @@ from sdfcheck.source.record import NamedTuple
 _SCHEMES = sorted(LOCAL_SCHEMES | REMOTE_SCHEMES)
 _PARTS = re.compile(r"([A-Za-z][A-Za-z0-9+.\-]+):([/\\]*)(.*)", re.DOTALL)
 _DRIVE = re.compile(r"(?:file:/*)?[A-Za-z]:[/\\]")
+_FUEL = re.compile(r"https?://fuel\.(?:gazebosim|ignitionrobotics)\.org/+(?:\d+\.\d+/+)?[^/]+/+([^/]+)/")
+_KINDS = ("models", "worlds", "collections")
 _BLANKS = re.compile(r"(?<!\s)(?:\s*/\s+|\s+/\s*)")
 
 
@@ -27,6 +29,7 @@ class UriFault(Enum):
     UNKNOWN_SCHEME = "unknown scheme"
     NO_NAME = "no name"
     BLANK = "blank"
+    FUEL_KIND = "kind of thing on Fuel"
 
 
 class Misspelling(NamedTuple):
@@ -50,6 +53,9 @@ def misspelling(value: Value) -> Misspelling | None:
         return None
     if "\\" in text:
         return Misspelling(UriFault.BACKSLASH, _with_slashes(text))
+    fuel = _FUEL.match(text)
+    if fuel is not None and fuel[1] not in _KINDS and (near := suggest(fuel[1], _KINDS)) is not None:
+        return Misspelling(UriFault.FUEL_KIND, text[: fuel.start(1)] + near + text[fuel.end(1) :])
     match = _PARTS.match(text)
     if match is not None:
         found = _scheme_fault(match[1], match[2], match[3])
