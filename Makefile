@@ -4,6 +4,8 @@
 # make check    everything that must hold before a commit
 # make docs     build the documentation site into build/site; broken links are errors
 # make package  build the source distribution and the wheel into build/dist, and try both
+# make man      write the manual page build/man/sdfcheck.1
+# make release-check  try both distributions in empty environments, with each Python from 3.10 on that is installed
 # make vscode   test, compile and package the extension for Visual Studio Code (needs node); vscode-check: only test
 # make picture  draw the terminal of the README again
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
@@ -21,6 +23,7 @@ VENV ?= .venv
 MINUTES ?= 10
 SEED ?= 1
 PLATFORM ?= win32
+PYTHONS ?= $(HOME)/.pyenv/versions
 BENCH_VENV ?= build/bench-venv
 
 BIN := $(VENV)/bin
@@ -31,7 +34,7 @@ SITE_TOOLS := $(VENV)/.installed-docs
 CONDITIONS := rules/conditions.py
 RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
+.PHONY: demo man release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
 
 demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -138,6 +141,24 @@ package: $(RUNTIME)
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /docs/tutorial.md
 	tar -tf build/dist/sdfcheck-*.tar.gz | grep -q /viewer/src/main.ts
 	! grep -nE 'is absent from|Deprecat' build/package.log
+
+man: $(RUNTIME)
+	$(BIN)/python -m tables.man_page build/man/sdfcheck.1
+
+release-check: package
+	for minor in 10 11 12 13 14; do \
+	  python=$$(ls -d $$(command -v python3.$$minor) $(PYTHONS)/3.$$minor.*/bin/python3 2>/dev/null | head -n 1); \
+	  [ -n "$$python" ] || { echo "Python 3.$$minor is not here: not tried"; continue; }; \
+	  for kind in whl tar.gz; do \
+	    $$python -m venv --clear build/try && \
+	    build/try/bin/python $(PIP_INSTALL) build/dist/sdfcheck-*.$$kind && \
+	    build/try/bin/sdfcheck lint --isolated --quiet fixtures/robots/diff_drive && \
+	    build/try/bin/sdfcheck lint --isolated --quiet fixtures/robots/rover && \
+	    build/try/bin/sdfcheck convert urdf-to-sdf --isolated --quiet fixtures/robots/desk_arm/desk_arm.urdf >/dev/null && \
+	    build/try/bin/sdfcheck rule JNT007 >/dev/null || exit 1; \
+	  done; \
+	  echo "Python 3.$$minor: both distributions work"; \
+	done
 
 # The tests with the lowest versions that pyproject.toml promises, and with the newest that there are.
 lowest: pyproject.toml
