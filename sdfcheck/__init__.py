@@ -116,7 +116,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.semantics import Semantics
     from sdfcheck.robot.shapes import Geometry, Material, Surface
     from sdfcheck.robot.values import Flag, Number, Text, Vector
-    from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
+    from sdfcheck.robot.vendor import VendorTag, VendorValue
     from sdfcheck.source.document import Document, Element, Value
     from sdfcheck.source.errors import DescriptionError, WrongUsage
     from sdfcheck.source.text import Position, Source, Span
@@ -164,7 +164,7 @@ _HOMES = {
     "sdfcheck.robot.semantics": "Semantics",
     "sdfcheck.robot.shapes": "Material Geometry Surface",
     "sdfcheck.robot.values": "Flag Number Text Vector",
-    "sdfcheck.robot.vendor.tags": "VendorTag VendorValue",
+    "sdfcheck.robot.vendor": "VendorTag VendorValue",
     "sdfcheck.source.document": "Document Element Value",
     "sdfcheck.source.errors": "DescriptionError WrongUsage",
     "sdfcheck.source.text": "Position Source Span",

@@ -142,7 +142,7 @@ def print(  # noqa: A001 - the command's name
         sdfcheck.WrongUsage: the text is broken, the format cannot hold what is asked for, or the
             result would be another robot.
     """
-    from sdfcheck.convert.rewrite.canonical import CanonicalStyle, NumberStyle, canonical
+    from sdfcheck.convert.canonical import CanonicalStyle, NumberStyle, canonical
 
     style = CanonicalStyle(NumberStyle(degrees, snap, precision), expand_includes, expand_auto_inertials)
     return canonical(_document(what), style).text

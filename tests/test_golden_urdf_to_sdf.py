@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.convert.files import Reader, Source
+from sdfcheck.cli.convert.command import Reader, Source
 from sdfcheck.cli.parts.descriptions import Around
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris

@@ -167,7 +167,7 @@ def _report(request: Request, options: Options, wanted: Sequence[Output], done: 
         if output.file is not None or not request.statistics:
             write(output, done, color=request.color, aside=aside, view=view, robots=robots)
     if request.statistics:
-        from sdfcheck.report import overview as statistics
+        from sdfcheck.report import digest as statistics
 
         color, links = wants_color(request.color, sys.stdout), wants_links(request.color, sys.stdout)
         view = view._replace(width=width_of(sys.stdout), links=links)

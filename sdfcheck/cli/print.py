@@ -62,7 +62,7 @@ def print_command(**given: Any) -> int:
     comments stay; xacro is expanded. The version stays as it is. Unless rounding or
     snapping is asked for, the result is compared with the source, robot with robot.
     """
-    from sdfcheck.convert.rewrite.canonical import CanonicalStyle, NumberStyle, canonical
+    from sdfcheck.convert.canonical import CanonicalStyle, NumberStyle, canonical
 
     surroundings = around(given)
     request = Request(**given)

@@ -27,16 +27,21 @@ from sdfcheck.convert.settings_tree import (
     seen_from_links,
 )
 from sdfcheck.robot.graph import ENDLESS
-from sdfcheck.robot.motion.kinematics import (
+from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.mechanism import (
+    Axis,
     Bodies,
+    Geometry,
+    Joint,
+    Link,
+    Mechanism,
+    Mimic,
     Positions,
     degrees_of_freedom,
     link_poses,
     total_body,
     with_followers,
 )
-from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
 from sdfcheck.robot.motion.poses import Array, angles_between, inverse, to_rpy
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple, Record

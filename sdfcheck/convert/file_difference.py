@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sdfcheck.convert.comparison import TOLERANCE, Change, ChangeKind, compare, pose_texts
+from sdfcheck.convert.include_expansion import needs_writing_out
 from sdfcheck.convert.ledger import models
 from sdfcheck.convert.matching import same_pose, shifted_model
 from sdfcheck.convert.migrate.migrate import written_out
-from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
 from sdfcheck.convert.settings_tree import Contents, divergences, of_model, of_urdf, of_world
 from sdfcheck.robot.graph import Model
 from sdfcheck.robot.motion.flatten import mechanism_of

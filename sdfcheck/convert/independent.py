@@ -18,9 +18,8 @@ import numpy as np
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, ask
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.comparison import Difference
-from sdfcheck.robot.motion.kinematics import degrees_of_freedom, link_poses, with_followers
 from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.mechanism import Mechanism
+from sdfcheck.robot.motion.mechanism import Mechanism, degrees_of_freedom, link_poses, with_followers
 from sdfcheck.robot.motion.poses import Array, angle_between, inverse
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple

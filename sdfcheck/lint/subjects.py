@@ -24,8 +24,8 @@ OF_TEXT: dict[str, tuple[Kind | None, str]] = {
 """Class → the kind of documents that have its objects (None: all), and what finds them."""
 
 OF_VENDORS = {
-    "VendorTag": "sdfcheck.robot.vendor.tags:tags",
-    "VendorValue": "sdfcheck.robot.vendor.tags:values",
+    "VendorTag": "sdfcheck.robot.vendor:tags",
+    "VendorValue": "sdfcheck.robot.vendor:values",
 }
 """Class → what finds its objects in a document, given the tables of the vendors."""
 

@@ -20,8 +20,8 @@ from typing import Any
 from lsprotocol import types
 
 from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lsp.actions import Robot, robot_of
 from sdfcheck.lsp.cursor import elements
-from sdfcheck.lsp.derived import Robot, robot_of
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import Speech, path_of, plain
 from sdfcheck.lsp.worker import SURVEY, Schedule

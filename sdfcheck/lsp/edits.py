@@ -15,9 +15,8 @@ from lsprotocol import types
 from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 from sdfcheck.formats.describe import spot
 from sdfcheck.lint.fix import TextEdit
+from sdfcheck.lsp.actions import canonical_edits, converted, expanded_text, extractions, keeps_expansion
 from sdfcheck.lsp.cursor import Part, at, elements
-from sdfcheck.lsp.derived import canonical_edits, converted, expanded_text, keeps_expansion
-from sdfcheck.lsp.extract import extractions
 from sdfcheck.lsp.hover import Signature, names_around, signature, version_of
 from sdfcheck.lsp.names import everywhere, occurrences, project_files
 from sdfcheck.lsp.outline import Link, links

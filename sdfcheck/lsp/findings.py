@@ -14,8 +14,7 @@ from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import without_repeats
 from sdfcheck.lint.one_file import Selected, lint_file, lint_included
 from sdfcheck.lsp.names import roots_of
-from sdfcheck.lsp.reparse import LONG, around, same_ends
-from sdfcheck.lsp.workspace import Buffer, Workspace
+from sdfcheck.lsp.workspace import LONG, Buffer, Workspace, around, same_ends
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple

@@ -12,9 +12,8 @@ from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.run import Run
 from sdfcheck.release import __version__
 from sdfcheck.report.colors import INK_OF, painter
-from sdfcheck.report.digest import not_found
+from sdfcheck.report.digest import Row, not_found, sections
 from sdfcheck.report.frame import first_of, frame, marks_by_file
-from sdfcheck.report.overview import Row, sections
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import View, closing_line
 from sdfcheck.source.document import Document

@@ -1,4 +1,4 @@
-"""How much of a run the text formats show, and their closing line."""
+"""The line that closes a run, and how much of the run is shown."""
 
 from __future__ import annotations
 

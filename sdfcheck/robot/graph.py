@@ -2465,14 +2465,6 @@ def _is_link(scope: Scope, name: str) -> bool:
     return scope.may_hold(name) if found is None else found.kind == "link"
 
 
-# Includes that multiply.
-
-
-MOST_MODELS = 10_000
-"""So many included models are looked into: includes of includes can multiply without end."""
-DEEPEST = 50
-
-
 # The names by which the joints of a world or model refer to nothing, and those of them that others explain.
 
 
@@ -2574,6 +2566,8 @@ class Scope(Namespace):
         return pick(self, "joint", self.joints, key)
 
     def brought_by(self, found: Included) -> Model | None:
+        from sdfcheck.robot.includes.included import DEEPEST, MOST_MODELS
+
         chain, inside = self.chain, found.document
         is_readable = (
             found.model is not None and inside is not None and inside not in chain and len(chain) <= DEEPEST
@@ -3393,6 +3387,6 @@ class Include(FileUse):
         """Kind and name of what moves from the model into the one that includes it, where it is merged."""
         if not self.is_merged or self.brought is None:
             return ()
-        from sdfcheck.robot.includes.merges import moved
+        from sdfcheck.robot.includes.included import moved
 
         return tuple((kind, name) for kind, name, _ in moved(self.found))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_named
-from sdfcheck.robot.includes.multiplied import TooManyModels, refuse_too_many
+from sdfcheck.robot.includes.included import TooManyModels, refuse_too_many
 from sdfcheck.robot.root import Root, root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage

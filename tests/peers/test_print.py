@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.rewrite.canonical import CanonicalStyle, canonical
+from sdfcheck.convert.canonical import CanonicalStyle, canonical
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document
 from tests.peers.cmdprint import version_of

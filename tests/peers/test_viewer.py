@@ -11,7 +11,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.kinematics import link_poses
+from sdfcheck.robot.motion.mechanism import link_poses
 from sdfcheck.robot.root import root_of
 from sdfcheck.view.scene import MOST_SHAPES
 from tests.peers import chromium

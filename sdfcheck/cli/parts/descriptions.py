@@ -73,7 +73,7 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
     models.
     """
     from sdfcheck.files.regular import read_named
-    from sdfcheck.robot.includes.multiplied import refuse_too_many
+    from sdfcheck.robot.includes.included import refuse_too_many
 
     settings = around.settings_for(file)
     if check:

@@ -10,8 +10,7 @@ import numpy as np
 from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import migration as numbers
-from sdfcheck.convert.migrate.draft import Node
-from sdfcheck.convert.migrate.migration import Migration, Places, rename_in_plugins, title
+from sdfcheck.convert.migrate.migration import Migration, Node, Places, rename_in_plugins, title
 from sdfcheck.convert.migrate.up import STATES
 from sdfcheck.convert.writer import number, settled
 from sdfcheck.formats.schema import Definition

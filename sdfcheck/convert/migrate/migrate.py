@@ -10,6 +10,7 @@ import numpy as np
 
 from sdfcheck.convert import ledger
 from sdfcheck.convert.comparison import Correspondence
+from sdfcheck.convert.include_expansion import IncludeExpansion, expanded
 from sdfcheck.convert.ledger import EVERYTHING, TEXT
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.migrate.down import (
@@ -32,11 +33,9 @@ from sdfcheck.convert.migrate.down import (
     write_limits,
     write_thread_pitch,
 )
-from sdfcheck.convert.migrate.draft import Draft, Node
-from sdfcheck.convert.migrate.migration import Migration, drop_dead, title, write_defaults
+from sdfcheck.convert.migrate.migration import Draft, Migration, Node, drop_dead, title, write_defaults
 from sdfcheck.convert.migrate.up import go_up
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result, with_text
-from sdfcheck.convert.rewrite.include_expansion import IncludeExpansion, expanded
 from sdfcheck.convert.settings_tree import Contents, of_model, of_world
 from sdfcheck.convert.writer import render
 from sdfcheck.formats.sdf.survey import PARAMETERS, survey

@@ -17,8 +17,14 @@ import numpy as np
 from sdfcheck.convert.comparison import Counterpart
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate import migration as numbers
-from sdfcheck.convert.migrate.draft import Node
-from sdfcheck.convert.migrate.migration import Migration, Places, rename_in_plugins, title, write_defaults
+from sdfcheck.convert.migrate.migration import (
+    Migration,
+    Node,
+    Places,
+    rename_in_plugins,
+    title,
+    write_defaults,
+)
 from sdfcheck.convert.writer import number
 from sdfcheck.formats.version import Version
 from sdfcheck.lint.diagnostic import Severity

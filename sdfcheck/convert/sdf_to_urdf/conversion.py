@@ -9,36 +9,51 @@ from pathlib import Path
 import numpy as np
 
 from sdfcheck.convert.comparison import Correspondence, Counterpart
+from sdfcheck.convert.include_expansion import needs_writing_out
 from sdfcheck.convert.ledger import TEXT, Ledger, Words
 from sdfcheck.convert.loss import LossKind, NotConvertible, refusal
 from sdfcheck.convert.migrate.migrate import written_out
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
-from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
-from sdfcheck.convert.rewrite.separated import is_marked, separated
-from sdfcheck.convert.sdf_to_urdf.carried import (
+from sdfcheck.convert.sdf_to_urdf.extensions import (
     around_root,
     carry_around,
     carry_comments,
     carry_custom,
-    namespace_of,
-)
-from sdfcheck.convert.sdf_to_urdf.context import Context, find_files
-from sdfcheck.convert.sdf_to_urdf.extensions import (
     keep_base,
     keep_frame,
     keep_joint,
     keep_place,
     keep_static,
     model_extensions,
+    namespace_of,
     of_frame,
+    write_actuators,
 )
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
-from sdfcheck.convert.sdf_to_urdf.links import add_link, define_colors
-from sdfcheck.convert.sdf_to_urdf.meaning import coupling, understood
-from sdfcheck.convert.sdf_to_urdf.options import Loops, Options, Unsupported
-from sdfcheck.convert.sdf_to_urdf.plan import WORLD, arrange, choose, is_same, lay_out, named, others, tidy
-from sdfcheck.convert.sdf_to_urdf.shapes import DRAKE_SHAPES, HELD
-from sdfcheck.convert.sdf_to_urdf.vendor_tags import write_actuators
+from sdfcheck.convert.sdf_to_urdf.links import (
+    DRAKE_SHAPES,
+    HELD,
+    add_link,
+    coupling,
+    define_colors,
+    understood,
+)
+from sdfcheck.convert.sdf_to_urdf.plan import (
+    WORLD,
+    Context,
+    Loops,
+    Options,
+    Unsupported,
+    arrange,
+    choose,
+    find_files,
+    is_same,
+    lay_out,
+    named,
+    others,
+    tidy,
+)
+from sdfcheck.convert.separated import is_marked, separated
 from sdfcheck.convert.settings_tree import of_model, of_urdf
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import render, undeclared_prefixes, with_line_ends, without_empty_shapes

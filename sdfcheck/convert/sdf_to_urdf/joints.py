@@ -8,12 +8,16 @@ import numpy as np
 
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.sdf_to_urdf.carried import carry_comments, carry_inside, carry_parts
-from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import joint_extensions, keep_base, keep_joint
-from sdfcheck.convert.sdf_to_urdf.meaning import TWO_AXES
-from sdfcheck.convert.sdf_to_urdf.options import Unsupported
-from sdfcheck.convert.sdf_to_urdf.plan import Edge, add_origin, shortened
+from sdfcheck.convert.sdf_to_urdf.extensions import (
+    carry_comments,
+    carry_inside,
+    carry_parts,
+    joint_extensions,
+    keep_base,
+    keep_joint,
+)
+from sdfcheck.convert.sdf_to_urdf.links import TWO_AXES
+from sdfcheck.convert.sdf_to_urdf.plan import Context, Edge, Unsupported, add_origin, shortened
 from sdfcheck.convert.writer import MERGED, number
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity

@@ -1,35 +1,213 @@
-"""Links with their inertials, visuals and collisions."""
+"""Links, with their shapes and masses, and what they mean to those who read URDF."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from sdfcheck.consumers.gazebo import LEAST
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.sdf_to_urdf.carried import (
+from sdfcheck.convert.sdf_to_urdf.extensions import (
     carry_comments,
     carry_custom,
     carry_inside,
     carry_parts,
     has_custom,
+    link_extensions,
 )
-from sdfcheck.convert.sdf_to_urdf.context import Context
-from sdfcheck.convert.sdf_to_urdf.extensions import link_extensions
-from sdfcheck.convert.sdf_to_urdf.plan import add_origin
-from sdfcheck.convert.sdf_to_urdf.shapes import HELD, add_shape, merged_frame
+from sdfcheck.convert.sdf_to_urdf.plan import Context, Planes, add_origin, mesh_uri
 from sdfcheck.convert.writer import NOTHING, SCRIPTS, number, numbers, settled
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.robot.graph import Inertial
 from sdfcheck.robot.graph import Link as LinkPart
-from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.mechanism import Geometry, Link
-from sdfcheck.robot.motion.poses import Array, transform, written_pose
+from sdfcheck.robot.motion.mass import MassProperties, default_mass
+from sdfcheck.robot.motion.mechanism import Axis, Geometry, Joint, Link, Mechanism, Mimic
+from sdfcheck.robot.motion.poses import Array, transform, written_pose, z_towards
+from sdfcheck.robot.shapes import shape_in
 from sdfcheck.source.altered import Xml, copied
 from sdfcheck.source.document import Element
+
+# Shapes that URDF can hold, and what the others are made of.
+
+
+HELD = frozenset({"box", "cylinder", "sphere", "mesh"})
+"""The shapes that every consumer of URDF knows."""
+DRAKE_SHAPES = frozenset({"capsule", "ellipsoid"})
+"""Those that Drake has in addition, by names of its own."""
+
+
+_THICKNESS = {"visual": 0.001, "collision": 0.1}
+"""Of a box that replaces a plane, m: a thinner one would be passed through."""
+_ENDLESS = 100.0
+"""The least length of such a box where it collides, m: there a plane has no end."""
+
+
+def pieces(geometry: Geometry, planes: Planes) -> list[Geometry]:
+    """The shapes that together fill what one fills."""
+    if geometry.kind == "capsule":
+        return list(_capsule(geometry))
+    if geometry.kind == "ellipsoid" and len(set(geometry.size)) == 1:
+        return [replace(geometry, kind="sphere", size=geometry.size[:1])]
+    if geometry.kind == "plane" and planes is Planes.BOX:
+        return [_slab(geometry)]
+    return [geometry]
+
+
+def _capsule(geometry: Geometry) -> Iterator[Geometry]:
+    """A cylinder with a sphere at either end."""
+    radius, length = geometry.size
+    yield replace(geometry, kind="cylinder", size=(radius, length))
+    for end, where in (("top", length / 2), ("bottom", -length / 2)):
+        pose = geometry.pose @ transform(np.eye(3), (0.0, 0.0, where))
+        name = f"{geometry.name}_{end}" if geometry.name else ""
+        yield replace(geometry, kind="sphere", size=(radius,), pose=pose, name=name)
+
+
+def _slab(geometry: Geometry) -> Geometry:
+    """A box with its upper face in a plane."""
+    normal, (x, y) = np.array(geometry.size[:3]), geometry.size[3:]
+    height = _THICKNESS[geometry.role]
+    if geometry.role == "collision":
+        x, y = max(x, _ENDLESS), max(y, _ENDLESS)
+    turn = z_towards(normal / (np.linalg.norm(normal) or 1.0))
+    pose = geometry.pose @ transform(turn, turn @ (0.0, 0.0, -height / 2))
+    return replace(geometry, kind="box", size=(x, y, height), pose=pose)
+
+
+def merged_frame(written: list[Geometry]) -> tuple[str, str]:
+    """A shape that URDF does not have, and what is written for it; empty if it has it."""
+    shape = written[0].element.find("geometry")
+    own = shape_in(shape) if shape is not None else None
+    if own is None or own.name.removeprefix("drake:") == written[0].kind:
+        return "", ""
+    return own.name, "a cylinder and two spheres" if len(written) > 1 else f"a {written[0].kind}"
+
+
+def add_shape(context: Context, node: Xml, geometry: Geometry, scope: str) -> None:
+    """Write the geometry of a visual or collision."""
+    element = geometry.element.find("geometry")
+    shape = shape_in(element) if element is not None else None
+    if shape is None:
+        return
+    context.ledger.take_parts(shape, "size", "radius", "radii", "length", "normal", "uri", "scale", *"abc")
+    name, attributes = geometry.kind, {}
+    if geometry.kind == "mesh":
+        uri = shape.find("uri")
+        attributes["filename"] = mesh_uri(context, geometry.uri, shape if uri is None else uri)
+        if geometry.size != (1.0, 1.0, 1.0):
+            attributes["scale"] = numbers(geometry.size)
+        if shape.attributes.get("optimization"):
+            message = f"URDF has no mesh optimization (`{shape.attributes['optimization']}`)"
+            context.ledger.note(LossKind.DROPPED_ELEMENT, shape, message)
+    elif geometry.kind == "box":
+        attributes["size"] = numbers(geometry.size)
+    elif geometry.kind == "sphere":
+        attributes["radius"] = number(geometry.size[0])
+    elif geometry.kind == "ellipsoid":
+        attributes = dict(zip("abc", map(number, geometry.size), strict=True))
+    else:
+        attributes["radius"], attributes["length"] = (number(size) for size in geometry.size)
+    if geometry.kind in context.natives:
+        name = f"drake:{name}"
+        message = (
+            f"the {geometry.kind} of {geometry.element.title} is written as `{name}`, which Drake alone reads"
+        )
+        context.ledger.note(LossKind.UNSUPPORTED_GEOMETRY, shape, message)
+    carry_custom(context, node.add("geometry").add(name, **attributes), shape, scope)
+
+
+# Values of a model that its text leaves to defaults, and those that URDF writes otherwise.
+#
+# The robot that comes out moves and weighs as the model does, and is what the URDF is compared with: every
+# link has its mass, every moving joint its axis.
+
+
+ONE_AXIS = frozenset({"revolute", "continuous", "prismatic", "screw", "planar"})
+TWO_AXES = frozenset({"universal", "revolute2"})
+_UP = (0.0, 0.0, 1.0)
+
+
+def understood(
+    robot: Mechanism, planes: Planes = Planes.DROP, natives: frozenset[str] = frozenset()
+) -> Mechanism:
+    """The robot with defaults filled in, without gearboxes: those are a coupling of two other joints.
+
+    ``natives`` are shapes that stay what they are.
+    """
+    links = {name: _link(link, planes, natives) for name, link in robot.links.items()}
+    joints = {name: _joint(joint) for name, joint in robot.joints.items()}
+    for gearbox in robot.joints.values():
+        if gearbox.kind == "gearbox":
+            _couple(joints, gearbox)
+    kept = {name: joint for name, joint in joints.items() if joint.kind != "gearbox"}
+    return Mechanism(robot.name, links, kept, robot.frames)
+
+
+def _link(link: Link, planes: Planes, natives: frozenset[str]) -> Link:
+    body = default_mass() if link.body is None else link.body
+    shown = [
+        piece
+        for geometry in link.geometries
+        for piece in ([geometry] if geometry.kind in natives else pieces(geometry, planes))
+    ]
+    return Link(link.name, link.pose, link.element, body, shown)
+
+
+def _joint(joint: Joint) -> Joint:
+    wanted = 1 if joint.kind in ONE_AXIS else 2 if joint.kind in TWO_AXES else 0
+    axes = list(joint.axes[:wanted])
+    axes += [Axis(np.array(_UP)) for _ in range(wanted - len(axes))]
+    kind = joint.kind
+    if kind == "continuous":
+        axes[0] = replace(axes[0], lower=-math.inf, upper=math.inf)
+    elif kind == "revolute" and math.isinf(axes[0].lower) and math.isinf(axes[0].upper):
+        kind = "continuous"
+    return replace(joint, kind=kind, axes=tuple(axes))
+
+
+def _couple(joints: dict[str, Joint], gearbox: Joint) -> None:
+    """Let the output turn as the gearbox makes it, where both its joints start at the reference body."""
+    found = coupling(list(joints.values()), gearbox)
+    if found is not None:
+        joint, mimic = found
+        joints[joint.name] = replace(joint, axes=(replace(joint.axes[0], mimic=mimic),))
+
+
+def coupling(joints: list[Joint], gearbox: Joint) -> tuple[Joint, Mimic] | None:
+    """The joint that a gearbox drives, and how it follows; None where URDF cannot say it."""
+    body = gearbox.element.find("gearbox_reference_body")
+    ratio = gearbox.element.number("gearbox_ratio")
+    if body is None or len(gearbox.axes) < 1:
+        return None
+    scope = gearbox.name.rpartition("::")[0]
+    reference = f"{scope}::{body.content}" if scope else body.content
+
+    def turning(child: str) -> Joint | None:
+        ends = (reference, child)
+        kinds = {"revolute", "continuous"}
+        return next((j for j in joints if (j.parent, j.child) == ends and j.kind in kinds), None)
+
+    driver, driven = turning(gearbox.parent), turning(gearbox.child)
+    if driver is None or driven is None or driven.axes[0].mimic is not None:
+        return None
+    first = gearbox.axes[0].direction
+    second = gearbox.axes[1].direction if len(gearbox.axes) > 1 else first
+    sign = _agreement(gearbox, first, driver) * _agreement(gearbox, second, driven)
+    if sign == 0:
+        return None
+    return driven, Mimic(driver.name, -sign * (ratio.number if ratio is not None else 1.0))
+
+
+def _agreement(gearbox: Joint, direction: Array, joint: Joint) -> int:
+    """Do the axes of a gearbox and of a joint point the same way (1), against each other (-1) or apart (0)?"""
+    cosine = float((gearbox.pose[:3, :3] @ direction) @ (joint.pose[:3, :3] @ joint.axes[0].direction))
+    return 0 if abs(abs(cosine) - 1) > 1e-6 else 1 if cosine > 0 else -1
+
 
 # Colors: the one part of a material that URDF has.
 

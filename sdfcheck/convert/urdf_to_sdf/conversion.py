@@ -11,13 +11,23 @@ from sdfcheck.convert.comparison import Correspondence, Counterpart
 from sdfcheck.convert.loss import LossKind, refusal
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result
 from sdfcheck.convert.settings_tree import of_model, of_urdf
-from sdfcheck.convert.urdf_to_sdf.context import KEPT, Context, has_custom, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.gazebo_blocks import Extensions, FollowedNames
 from sdfcheck.convert.urdf_to_sdf.joints import Joints
 from sdfcheck.convert.urdf_to_sdf.links import Links, Materials, keep_frictions_of_drake
 from sdfcheck.convert.urdf_to_sdf.options import Options
-from sdfcheck.convert.urdf_to_sdf.plan import WORLD, Plan, free_joints, legal, plan
-from sdfcheck.convert.urdf_to_sdf.vendor_tags import without
+from sdfcheck.convert.urdf_to_sdf.plan import (
+    KEPT,
+    WORLD,
+    Context,
+    Plan,
+    free_joints,
+    has_custom,
+    legal,
+    plan,
+    pose_of,
+    pose_text,
+    without,
+)
 from sdfcheck.convert.writer import (
     PACKAGES,
     render,

@@ -11,8 +11,7 @@ from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.ledger import TEXT
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.migrate.up import renew
-from sdfcheck.convert.urdf_to_sdf.context import Context, Given, pose_of
-from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, legal
+from sdfcheck.convert.urdf_to_sdf.plan import FOR_DRAKE, OF_JOINTS, Context, Given, legal, pose_of
 from sdfcheck.convert.writer import NONE, SCRIPTS, WAS, numbers
 from sdfcheck.formats.sdf.values import floats, number
 from sdfcheck.formats.urdf.schema import TRUE, Setting, all_settings, settings

@@ -7,8 +7,15 @@ import math
 import numpy as np
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
-from sdfcheck.convert.urdf_to_sdf.plan import WORLD, is_for_drake
+from sdfcheck.convert.urdf_to_sdf.plan import (
+    WORLD,
+    Context,
+    has_custom,
+    is_for_drake,
+    is_quaternion,
+    pose_of,
+    pose_text,
+)
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import JOINT, PARENT, number, numbers, spaced
 from sdfcheck.lint.diagnostic import Severity

@@ -8,9 +8,8 @@ import numpy as np
 
 from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.convert.loss import LossKind, refusal
-from sdfcheck.convert.urdf_to_sdf.context import Context, has_custom, is_quaternion, pose_of, pose_text
 from sdfcheck.convert.urdf_to_sdf.options import PackageUris
-from sdfcheck.convert.urdf_to_sdf.plan import legal
+from sdfcheck.convert.urdf_to_sdf.plan import Context, has_custom, is_quaternion, legal, pose_of, pose_text
 from sdfcheck.convert.vendor_spelling import uses
 from sdfcheck.convert.writer import INERTIAL, number, numbers, settled, spaced
 from sdfcheck.formats.sdf.values import floats

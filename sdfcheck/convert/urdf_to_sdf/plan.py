@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from sdfcheck.consumers.gazebo import GazeboRobot
+from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
-from sdfcheck.formats.urdf.schema import TRUE, settings
+from sdfcheck.convert.vendor_spelling import Spelling, moved, spellings, uses
+from sdfcheck.convert.writer import BLOCK, EMPTY, LINK, declare, numbers, spaced, undeclared_prefixes
+from sdfcheck.formats.schema import Definition
+from sdfcheck.formats.sdf.schema import schema
+from sdfcheck.formats.sdf.values import floats
+from sdfcheck.formats.urdf.schema import TRUE, Setting, settings
 from sdfcheck.lint.diagnostic import Severity
-from sdfcheck.robot.graph import PRESERVING, text_of_setting
+from sdfcheck.robot.graph import PRESERVING, Transmission, text_of_setting
 from sdfcheck.robot.motion.mass import SMALL, MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Link, Mechanism
-from sdfcheck.robot.motion.poses import Array, inverse
+from sdfcheck.robot.motion.poses import Array, inverse, to_rpy
 from sdfcheck.robot.root import root_of
-from sdfcheck.source.document import Document, Element
+from sdfcheck.source.altered import Xml, copied
+from sdfcheck.source.document import Comment, Document, Element
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
 
 # Names that a model can hold: one space for links, joints and frames, no ``::``, nothing reserved.
 
@@ -338,3 +349,437 @@ def free_joints(made: Plan, options: Options) -> set[str]:
     return made.dropped_joints | {
         joint.name for joint in joints if joint.kind not in _TIED and not is_for_drake(made, joint, options)
     }
+
+
+# Vendors' own elements and attributes, in the words and at the places that SDFormat has for them.
+
+
+_SIMPLE = "SimpleTransmission"
+"""The only kind of transmission that Drake looks into."""
+_DRIVABLE = frozenset({"revolute", "continuous", "prismatic", "screw"})
+
+
+class VendorTags:
+    """Writes the tags that a table is about; what no table knows is left to others."""
+
+    def __init__(self, plan: Plan, options: Options, lose: Callable[..., None]) -> None:
+        self.plan = plan
+        self.options = options
+        self.lose = lose
+        self.spellings = spellings(plan.root.document, Kind.SDF, self)
+        self.named: dict[tuple[str, str], str] = {}
+        """Kind and name of a frame or tag → its name in the model, where all names differ."""
+        self.moved: list[str] = []
+        """The losses of names in the last tag that was written."""
+        for child in plan.root.children():
+            own = child.attributes.get("name", "")
+            is_named = child.name == "frame" or (child.name != "drake:joint" and self.of(child) is not None)
+            if own and is_named:
+                self.named[child.name, own] = plan.names.free(own)
+
+    def of(self, element: Element) -> Spelling | None:
+        """The spelling of an element; None if it is not a vendor's tag that SDFormat can express."""
+        made = self.spellings.get(element.name.partition(":")[0])
+        return made if made is not None and made.knows(element.name) else None
+
+    def put(self, element: Element, node: Xml) -> bool:
+        """Write a tag into the counterpart of its parent; False if no table has it."""
+        made = self.spellings.get(element.name.partition(":")[0])
+        if made is None:
+            return False
+        if made.must_drop(element):
+            self._drop(element, made)
+            return True
+        if not made.knows(element.name):
+            return False
+        self.moved.clear()
+        written = made.write(element, node)
+        for child in made.dropped:
+            self._drop(child, made)
+        made.dropped.clear()
+        if written is not None:
+            own = self.named.get((element.name, written.attributes.get("name", "")))
+            if own is not None:
+                self._rename(element, written, own)
+        self._report_names(element)
+        return True
+
+    def _report_names(self, element: Element) -> None:
+        for text in dict.fromkeys(self.moved):
+            self.lose(element, LossKind.RENAMED, f"{text} in {element.title}", Severity.INFO)
+
+    def _drop(self, element: Element, made: Spelling) -> None:
+        text = (
+            f"{element.title} is left out: {made.source.name} ignores it here, "
+            "and in SDFormat would read it or refuse the file"
+        )
+        self.lose(element, LossKind.DROPPED_ELEMENT, text)
+
+    def _rename(self, element: Element, written: Xml, own: str) -> None:
+        if written.attributes["name"] != own:
+            self.lose(element, LossKind.RENAMED, f"{element.title} is named `{own}`")
+            written.attributes["name"] = own
+
+    def name(self, text: str, kinds: tuple[str, ...]) -> str:
+        """The new name of a link, joint, frame or tag; a link that was merged is what it was merged into."""
+        new = self._new_name(text, kinds)
+        if new != text:
+            self.moved.append(f"`{text}` is now `{new}`")
+        return new
+
+    def vector(self, link: str, text: str, *, is_point: bool) -> str:
+        """A point or direction of a link, in the frame of the link that it was merged into."""
+        home = self.plan.home.get(link)
+        return text if home is None else moved(text, home[1], is_point=is_point)
+
+    def _new_name(self, name: str, kinds: tuple[str, ...]) -> str:
+        plan = self.plan
+        for kind in kinds:
+            if (kind, name) in self.named:
+                return self.named[kind, name]
+            if kind == "joint" and name in plan.names.joints:
+                return plan.names.joints[name]
+            if kind == "link" and name in plan.home:
+                has_frame = "frame" in kinds and self.options.has_frames
+                return plan.names.links[name if has_frame else plan.home[name][0]]
+        return name
+
+    def put_attribute(self, element: Element, name: str, node: Xml) -> bool:
+        """Write an attribute into the counterpart of its element; False if no table knows where."""
+        made = self.spellings.get(name.partition(":")[0])
+        self.moved.clear()
+        is_written = made is not None and made.write_attribute(element, name, node)
+        self._report_names(element)
+        if not is_written and made is not None and made.attribute(element, name) is not None:
+            text = f"{made.source.name} does not read attribute `{name}` of {element.title} there in SDFormat"
+            self.lose(element, LossKind.KEPT_AS_EXTENSION, text)
+        return is_written
+
+    # Actuators
+
+    def drive(self, transmission: Transmission, joints: Mapping[str, Xml]) -> set[Element]:
+        """Put what vendors say of an actuator into the written joint that it drives; returns what was put there."""
+        joint = joints.get(_driven(transmission))
+        if joint is None or joint.attributes.get("type") == "fixed":
+            return set()
+        done = set()
+        for child in transmission.actuators[0].children():
+            if joint.find(child.name) is None and self.put(child, joint):
+                done.add(child)
+        return done
+
+    def report_actuators(self, joints: Mapping[str, Xml]) -> None:
+        """Drake drives joints with a transmission in URDF, and in SDFormat those with an effort other than 0."""
+        if not uses(self.plan.root, "drake"):
+            return
+        models = root_of(self.plan.root.document).models
+        driven = {name for each in models[0].transmissions if (name := _driven(each))}
+        for name, joint in self.plan.robot.joints.items():
+            if name not in joints or joint.kind not in _DRIVABLE or not joint.axes:
+                continue
+            effort = joint.axes[0].effort
+            if name not in driven and effort != 0:
+                what = "an actuator in SDFormat: it has an effort, and no transmission"
+            elif name in driven and effort == 0:
+                what = "no actuator in SDFormat: its effort is 0"
+            else:
+                continue
+            self.lose(joint.element, LossKind.CHANGED_DEFAULT, f"Drake gives {joint.element.title} {what}")
+
+    # Frames
+
+    def frame(self, element: Element) -> Xml | None:
+        """Drake's ``frame`` of a robot; None where SDFormat cannot have it."""
+        plan = self.plan
+        link, own = element.attributes.get("link", ""), element.attributes.get("name", "")
+        if not self.options.has_frames or link not in plan.home or plan.is_world(link) or not own:
+            return None
+        node = Xml("frame", None, name=self.named["frame", own], attached_to=plan.names.links[link])
+        if node.attributes["name"] != own:
+            text = f"{element.title} is named `{node.attributes['name']}`"
+            self.lose(element, LossKind.RENAMED, text)
+        texts = (" ".join(element.attributes.get(name, "").split()) or "0 0 0" for name in ("xyz", "rpy"))
+        node.add("pose", " ".join(texts))
+        return node
+
+
+def _driven(transmission: Transmission) -> str:
+    """The joint that Drake drives by a transmission; empty where it looks at nothing in it."""
+    kind, names = transmission.type_value, transmission.joint_names
+    is_read = kind is not None and _SIMPLE in kind.text and names and transmission.actuators
+    return names[0].text if is_read else ""
+
+
+def without(node: Xml, source: Element, gone: set[Element]) -> None:
+    """Take the copies of some elements out of the copy of ``source``."""
+    for copy, child in zip(list(node.children()), source.children(), strict=True):
+        if child in gone:
+            node.remove(copy)
+        else:
+            without(copy, child, gone)
+
+
+# The elements of URDF that have a counterpart in SDFormat, and the attributes in which they say something.
+
+
+_PAIRS = {
+    "axis": "xyz",
+    "box": "size",
+    "capsule": "radius length",
+    "child": "link",
+    "collision": "name",
+    "color": "rgba",
+    "cylinder": "radius length",
+    "drake:capsule": "radius length",
+    "drake:ellipsoid": "a b c",
+    "drake:joint": "name type",
+    "dynamics": "damping friction",
+    "frame": "link name xyz rpy",
+    "gazebo": "reference",
+    "geometry": "",
+    "inertia": "ixx ixy ixz iyy iyz izz",
+    "inertial": "",
+    "joint": "name type",
+    "limit": "lower upper effort velocity",
+    "link": "name",
+    "mass": "value",
+    "material": "name",
+    "mesh": "filename scale",
+    "mimic": "joint multiplier offset",
+    "origin": "xyz rpy quat_xyzw",
+    "parent": "link",
+    "robot": "name version",
+    "sphere": "radius",
+    "texture": "filename",
+    "visual": "name",
+}
+WORDS: Words = {name: frozenset(attributes.split()) for name, attributes in _PAIRS.items()}
+
+
+KEPT = "urdf"
+"""The prefix of what only URDF has."""
+
+
+class Given(NamedTuple):
+    """A setting of a link: the element of a block, the link that this is about, what was written and where."""
+
+    entry: Element
+    link: str
+    text: str
+    node: Xml
+
+
+@dataclass(slots=True)
+class Context:
+    options: Options
+    plan: Plan
+    ledger: Ledger = field(default_factory=lambda: Ledger(WORDS, "SDFormat"))
+    links: dict[str, Xml] = field(default_factory=dict)
+    """The element that was written for each link (of the source) that survives."""
+    joints: dict[str, Xml] = field(default_factory=dict)
+    shapes_of: dict[tuple[str, str], list[Xml]] = field(default_factory=dict)
+    """Link of the source and kind → the shapes that were written for it."""
+    shapes: dict[Element, tuple[Xml, Xml]] = field(default_factory=dict)
+    """The visuals and collisions of the source → the link and the element that were written for each."""
+    copies: list[tuple[Element, Xml, Xml]] = field(default_factory=list)
+    """The elements of blocks that were copied, their copies, and what holds these."""
+    own_names: dict[str, str] = field(default_factory=dict)
+    """Names of links, joints, frames and models of blocks, and those that they get."""
+    own_links: set[str] = field(default_factory=set)
+    """Links that only <gazebo> blocks have."""
+    dropped_shapes: set[str] = field(default_factory=set)
+    lost_mimics: set[str] = field(default_factory=set)
+    """Joints that do not follow another any more."""
+    given: dict[tuple[int, tuple[str, ...]], Given] = field(default_factory=dict)
+    """Setting of a written link, by its identity and path → who gave it."""
+    overruled: dict[str, dict[str, float]] = field(default_factory=dict)
+    """Joint (of the result) → what a <gazebo> block says of its limits and dynamics."""
+    namespaces: dict[str, str] = field(default_factory=dict)
+    """Prefix → what it is at the root of the result."""
+    reported: set[str] = field(default_factory=set)
+    packages: list[str] = field(default_factory=list)
+    """Packages whose files are named as those of models."""
+    vendors: VendorTags = field(init=False)
+    """The writer of vendors' tags in SDFormat."""
+
+    def __post_init__(self) -> None:
+        self.vendors = VendorTags(self.plan, self.options, self.note)
+
+    @property
+    def losses(self) -> list[Loss]:
+        return self.ledger.losses
+
+    def note(
+        self, element: Element, kind: LossKind, message: str, severity: Severity = Severity.WARNING
+    ) -> None:
+        """Something about an element is written otherwise."""
+        self.ledger.note(kind, element, message, severity)
+
+    def lose(
+        self, element: Element, kind: LossKind, message: str, severity: Severity = Severity.WARNING
+    ) -> None:
+        """An element is not in the result, nor is what is in it."""
+        self.ledger.lose(kind, element, message, severity)
+
+    def carry(self, element: Element | None, node: Xml, *attributes: str) -> None:
+        """An element is said by a node, in these attributes (none: all); its custom data goes there as well."""
+        if element is None:
+            return
+        self.ledger.take(element, *attributes)
+        self.carry_attributes(element, node)
+        for child in element.children():
+            if child.is_custom and self.ledger.is_free(child):
+                self.keep(child, node)
+
+    def mark(self, node: Xml, link: str) -> None:
+        """Say on a node which link of the source it is of, where that became part of another."""
+        if self.options.has_frames and self.plan.is_merged(link):
+            node.attributes[LINK] = self.plan.names.links[link]
+
+    def carry_attributes(self, element: Element, node: Xml) -> None:
+        """Write the attributes of an element that are not of URDF, under the prefix that they have or ours."""
+        known = WORDS[element.name]
+        for name, text in element.attributes.items():
+            if name in known:
+                continue
+            if self.vendors.put_attribute(element, name, node):
+                self.ledger.take(element, name)
+                continue
+            own = name if ":" in name else f"{KEPT}:{name}"
+            if node.attributes.get(own) == text:
+                self.ledger.take(element, name)  # one for both
+            elif node.attributes.setdefault(own, text) != text:
+                message = f"attribute `{name}` of {element.title} is left out: there is another one"
+                self.ledger.lose_attribute(element, name, message)
+            elif own == name:
+                declare(node, element, name.partition(":")[0], self.namespaces)
+                self.ledger.copy_attribute(element, name)
+            else:
+                message = (
+                    f"attribute `{name}` of {element.title} means nothing in SDFormat; it is kept as `{own}`"
+                )
+                kind = LossKind.KEPT_AS_EXTENSION
+                self.ledger.lose_attribute(element, name, message, kind, Severity.INFO)
+
+    def once(self, key: str) -> bool:
+        """True at the first call with a key."""
+        if key in self.reported:
+            return False
+        self.reported.add(key)
+        return True
+
+    def carry_comments(self, element: Element, node: Xml) -> None:
+        """Write the comments in an element, but those in what is kept as it is."""
+        for part in element.nodes:
+            if isinstance(part, Comment):
+                if self.ledger.take_comment(part):
+                    node.extend(part)
+            elif isinstance(part, Element) and part.name in WORDS:
+                self.carry_comments(part, node)
+
+    def allows(self, place: str) -> bool:
+        """Whether the version has an element at a place below ``model``, such as ``link/sensor``."""
+        definition: Definition | None = schema(self.options.version).root.children.get("model")
+        for name in place.split("/"):
+            definition = definition.children.get(name) if definition is not None else None
+        return definition is not None
+
+    def translated(self, entry: Element, setting: Setting) -> str | None:
+        """The text of a setting of ``<gazebo>`` as SDFormat has it; None, and reported, if it is malformed."""
+        kind = setting.type
+        text = (
+            text_of_setting(entry) if kind == "flag" else self.numbers(entry, 3 if kind == "vector3" else 1)
+        )
+        if text is None:
+            return None
+        return text.removesuffix(".0") if kind == "int" else setting.translated(text)
+
+    def numbers(self, setting: Element, count: int = 1) -> str | None:
+        """The numbers of a setting as they are written; None, and reported, if there are not so many."""
+        text = text_of_setting(setting)
+        found = floats(text) or ()
+        if len(found) == count and all(map(math.isfinite, found)):
+            return text
+        wanted = "a number" if count == 1 else f"{count} numbers"
+        message = f"<{setting.name}> is left out: `{text}` is not {wanted}"
+        self.lose(setting, LossKind.EXTENSION_NOT_CARRIED, message)
+        return None
+
+    def copied(self, element: Element) -> Xml:
+        """A copy of an element, with the prefixes declared that are others at the root of the result."""
+        made = copied(element)
+        for prefix in undeclared_prefixes(made):
+            declare(made, element, prefix, self.namespaces)
+        return made
+
+    def keep(self, element: Element, node: Xml, *, of_block: bool = False) -> None:
+        """Carry something over that the target has no word for, under a prefix of its own."""
+        if element.name.startswith("xacro:"):
+            text = f"{element.title} is left out: nobody has expanded it"
+            self.lose(element, LossKind.DROPPED_ELEMENT, text)
+            return
+        if self.vendors.put(element, node):
+            self.ledger.take_whole(element)
+            return
+        made = self.copied(element)
+        if element.is_custom:
+            self.ledger.copy(element)
+            self.name_anew(element, made, node)
+            node.append(made)
+            return
+        self.ledger.take_whole(element)
+        made.name = f"{KEPT}:{made.name}"
+        text = f"{element.title} means nothing in SDFormat; it is kept as <{made.name}>"
+        self.note(element, LossKind.KEPT_AS_EXTENSION, text, Severity.INFO)
+        if of_block:
+            made.attributes[BLOCK] = "true"
+        own = made.attributes.get("name")
+        if own and node.name == "model" and not self.plan.names.claim(own):
+            # libsdformat requires different names of everything in a model, known to it or not.
+            made.attributes = {
+                f"{KEPT}:name" if key == "name" else key: text for key, text in made.attributes.items()
+            }
+        for part in made.walk():
+            # It complains about attributes without a value, too.
+            if empty := [name for name, text in part.attributes.items() if not text]:
+                part.attributes = {name: text for name, text in part.attributes.items() if text}
+                part.attributes[EMPTY] = " ".join(empty)
+        node.append(made)
+
+    def name_anew(self, element: Element, made: Xml, node: Xml) -> None:
+        """Give custom data at the model a name that nothing there has."""
+        if node.name == "model" and (own := made.attributes.get("name")) is not None:
+            name = made.attributes["name"] = self.plan.names.free(own)
+            if name != own:
+                self.note(element, LossKind.RENAMED, f"{element.title} is named `{name}`")
+
+
+def pose_text(element: Element) -> str | None:
+    """An element's ``origin`` as the text of a pose, with the author's numbers; None where it is identity."""
+    origin = element.find("origin")
+    if origin is None or "quat_xyzw" in origin.attributes:
+        return None
+    texts = [spaced(origin.attributes.get(name, "")) or "0 0 0" for name in ("xyz", "rpy")]
+    joined = " ".join(texts)
+    return None if all(float(part) == 0 for part in joined.split()) else joined
+
+
+def pose_of(pose: Array) -> str | None:
+    """A 4×4 pose as text; None where it is identity."""
+    text = numbers((*pose[:3, 3], *to_rpy(pose[:3, :3])))
+    return None if text == "0 0 0 0 0 0" else text
+
+
+def has_custom(element: Element | None) -> bool:
+    """Has an element anything that needs a node to hang on?"""
+    if element is None:
+        return False
+    known = WORDS[element.name]
+    return any(name not in known for name in element.attributes) or any(
+        child.is_custom for child in element.children()
+    )
+
+
+def is_quaternion(element: Element) -> bool:
+    origin = element.find("origin")
+    return origin is not None and "quat_xyzw" in origin.attributes

@@ -11,7 +11,7 @@ from sdfcheck.formats.vendor.definitions import IGNORED, REFUSED, Effect, Outcom
 from sdfcheck.lint.diagnostic import Diagnostic, Severity, named
 from sdfcheck.lint.fix import Fix, TextEdit
 from sdfcheck.lint.rule import Rule, Target, make_fix, rename, write_instead
-from sdfcheck.robot.vendor.tags import VendorTag, VendorValue
+from sdfcheck.robot.vendor import VendorTag, VendorValue
 
 _FAULTS = {
     "EMPTY": "is empty",

@@ -5,8 +5,8 @@ from __future__ import annotations
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
-from sdfcheck.report.formats.annotation import annotation
 from sdfcheck.report.formats.concise import concise_line
+from sdfcheck.report.formats.github import annotation
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.visible import harmless, visible
 

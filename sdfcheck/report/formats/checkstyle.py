@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
-from sdfcheck.report.formats.xml_text import attributes
+from sdfcheck.report.formats.junit import attributes
 from sdfcheck.report.paths import Paths
 
 

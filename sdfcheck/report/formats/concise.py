@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from sdfcheck.lint.diagnostic import Diagnostic
+from collections.abc import Iterable, Iterator
+
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import INK_OF, Ink, Paint, linked, painter
 from sdfcheck.report.paths import Paths
@@ -33,3 +35,24 @@ def concise_line(diagnostic: Diagnostic, paths: Paths, paint: Paint, page: str |
     severity = paint(diagnostic.severity.value, INK_OF[diagnostic.severity])
     fix = f" ({diagnostic.fix.applicability.value} fix)" if diagnostic.fix is not None else ""
     return f"{place}: {severity}: {visible(diagnostic.message)} [{linked(diagnostic.code, page)}]{fix}"
+
+
+# Findings by file and code, one line each: what conversions report.
+
+
+_PLACES = 5
+
+
+def by_file_and_code(diagnostics: Iterable[Diagnostic], paths: Paths, paint: Paint) -> Iterator[str]:
+    """The first of each file, code and severity, with the number and the places of the others."""
+    groups: dict[tuple[str, str, Severity], list[Diagnostic]] = {}
+    for each in diagnostics:
+        groups.setdefault((paths(each.span.source.path), each.code, each.severity), []).append(each)
+    for first, *others in groups.values():
+        line = concise_line(first, paths, paint)
+        if others:
+            places = dict.fromkeys("{}:{}".format(*each.span.begin) for each in others)
+            places.pop("{}:{}".format(*first.span.begin), None)
+            shown = ", ".join(list(places)[:_PLACES]) + (", …" if len(places) > _PLACES else "")
+            line += paint(f" and {len(others)} more" + (f", at {shown}" if shown else " there"), Ink.FAINT)
+        yield line

@@ -49,7 +49,7 @@ def _blocks(run: Run, view: View, color: bool) -> Iterator[str]:
     room = _LINES if view.folds and view.most is None else None
     found = _first(blocks(iter(shown)), room, view.most)
     if len(found) < len(shown):
-        from sdfcheck.report.overview import overview
+        from sdfcheck.report.digest import overview
 
         yield "\n".join(overview(run, view, paths, paint))
         grave = gravest_first(shown)

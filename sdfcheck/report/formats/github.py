@@ -4,9 +4,21 @@ from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
-from sdfcheck.report.formats.annotation import annotation
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.visible import visible
+
+# The text of a finding where a build service shows it beside the line.
+
+
+def annotation(diagnostic: Diagnostic) -> str:
+    """The message, the title of the fix and the help, one line each."""
+    lines = [diagnostic.message]
+    if diagnostic.fix is not None:
+        lines.append(f"help: {diagnostic.fix.title} ({diagnostic.fix.applicability.value} fix)")
+    if diagnostic.help:
+        lines.append(f"help: {diagnostic.help}")
+    return "\n".join(map(visible, lines))
+
 
 _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: "notice"}
 _SHOWN = 10  # annotations that GitHub shows of one step

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
 from sdfcheck.report.content import WHOLE, Content
-from sdfcheck.report.overview import overview
+from sdfcheck.report.digest import overview
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
 from sdfcheck.source.visible import visible

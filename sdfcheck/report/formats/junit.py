@@ -5,14 +5,34 @@ Findings that fail the run are failures, those about this computer are skipped, 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
 from sdfcheck.report.formats.concise import concise_line
-from sdfcheck.report.formats.xml_text import attributes, escaped
 from sdfcheck.report.paths import Paths
+
+# Text for the XML formats.
+
+
+_ILLEGAL = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+_ESCAPES = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;"})
+
+
+def attributes(**values: object) -> str:
+    """Attributes with a space before each."""
+    return "".join(f' {name}="{escaped(str(value))}"' for name, value in values.items())
+
+
+def escaped(text: str) -> str:
+    """Safe between tags and quotes; what XML 1.0 cannot hold becomes a replacement character."""
+    legal = _ILLEGAL.sub("\ufffd", text).translate(_ESCAPES)
+    if legal.isprintable():
+        return legal
+    return "".join(c if c.isprintable() else f"&#{ord(c)};" for c in legal)
+
 
 Outcome = Callable[[Diagnostic], str]
 """The name of the element that says what became of a test."""

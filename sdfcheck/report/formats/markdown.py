@@ -11,8 +11,7 @@ from sdfcheck.consumers.reaction import Consumer
 from sdfcheck.lint.diagnostic import Diagnostic, Severity, counted
 from sdfcheck.lint.run import Run
 from sdfcheck.report.colors import painter
-from sdfcheck.report.digest import digest, files_of, gravest_first, not_found
-from sdfcheck.report.overview import Section, sections
+from sdfcheck.report.digest import Section, digest, files_of, gravest_first, not_found, sections
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import View, closing_line
 from sdfcheck.source.visible import visible

@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator
 from enum import Enum
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
@@ -24,15 +23,20 @@ from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
+from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.robot.values import is_true
 from sdfcheck.source.altered import Altered, Xml, copied
 from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple, Record
 from sdfcheck.source.sniff import Kind
 
-if TYPE_CHECKING:
-    Resolve = Callable[[Document, Element], "Included"]
-    Bring = Callable[[Element, "Included"], None]
+# Includes that multiply.
+
+
+MOST_MODELS = 10_000
+"""So many included models are looked into: includes of includes can multiply without end."""
+DEEPEST = 50
 
 
 INCLUDABLE = ("model", "actor", "light")
@@ -313,7 +317,12 @@ class Alterations:
 
     __slots__ = ("_bring", "_brought", "_effort", "_included", "_own", "complete", "model")
 
-    def __init__(self, found: Included, included: Resolve, bring: Bring) -> None:
+    def __init__(
+        self,
+        found: Included,
+        included: Callable[[Document, Element], Included],
+        bring: Callable[[Element, Included], None],
+    ) -> None:
         self._included, self._bring = included, bring
         self.model: Element | None = None
         self.complete = found.model is not None and found.model.name != "robot"
@@ -481,7 +490,12 @@ class Parameters:
     A URDF, which libsdformat converts before it changes it, stays as it is.
     """
 
-    def __init__(self, found: Included, included: Resolve, bring: Bring) -> None:
+    def __init__(
+        self,
+        found: Included,
+        included: Callable[[Document, Element], Included],
+        bring: Callable[[Element, Included], None],
+    ) -> None:
         self.alterations = Alterations(found, included, bring)
         self.problems: list[object] = []
         for block in found.include.children(PARAMETERS):
@@ -719,3 +733,134 @@ def definition_of(element: Element) -> Definition | None:
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
     return history.in_version(definition, NEWEST) if definition is not None else None
+
+
+# Merged includes: what may be merged where, and the names that come with it.
+#
+# Source: libsdformat 17's parser.cc: only links, nested models, joints, frames, grippers and plugins move
+# into the parent, and a world takes no links and no grippers.
+
+
+_MOVED = frozenset({"link", "model", "joint", "frame", "gripper"})
+"""The named parts that move into the parent."""
+_NOT_INTO_WORLDS = frozenset({"link", "gripper"})
+
+_Taken = dict[str, Name]
+"""The names that are given already."""
+
+
+def merged_namesakes(document: Document) -> list[Namesakes]:
+    """The names that are taken where a document merges models."""
+    pairs: list[Namesakes] = []
+    for parent, group in _by_parent(document).items():
+        if merged := [found for found in group if _is_merged(found, parent)]:
+            pairs += _clashes(parent, merged, _taken(document, parent, group))
+    return pairs
+
+
+def _by_parent(document: Document) -> dict[Element, list[Included]]:
+    """The includes of a document by the elements that they are in."""
+    by_parent: dict[Element, list[Included]] = {}
+    for include in includes_of(document):
+        if include.parent is not None:
+            by_parent.setdefault(include.parent, []).append(included(document, include))
+    return by_parent
+
+
+def _is_merged(found: Included, parent: Element) -> bool:
+    """Is it a model that becomes part of its parent?"""
+    if not found.merge or found.model is None or found.kind != "model":
+        return False
+    if parent.name == "world":
+        return all(kind not in _NOT_INTO_WORLDS for kind, _, _ in moved(found))
+    return parent.name == "model"
+
+
+def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
+    """The named parts of a model that is merged, as its parameters change it."""
+    model = found.model
+    if model is None:
+        return
+    if model.name == "robot":
+        children = [(child.name, child.attributes.get("name", ""), child) for child in model.children()]
+    else:
+        children = survey(model.document).named.get(model, [])
+    for kind, name, child in children:
+        if kind in _MOVED and name.strip():
+            yield kind, name.strip(), child
+
+
+def _taken(document: Document, parent: Element, group: list[Included]) -> _Taken:
+    """The names that the parent gives itself, and those of the models that it includes whole."""
+    taken: _Taken = {}
+    for kind, name, child in survey(document).named.get(parent, ()):
+        if kind != "plugin":
+            taken.setdefault(name.strip(), Name(kind, name.strip(), Value(child, "name", name), parent))
+    for found in group:
+        if not found.merge and found.name and found.uri is not None:
+            own = found.include.find("name")
+            value = own.own_value if own is not None and own.content else found.uri
+            taken.setdefault(found.name, Name(found.kind or "model", found.name, value, parent))
+    return taken
+
+
+def _clashes(parent: Element, merged: list[Included], taken: _Taken) -> Iterator[Namesakes]:
+    """Of each merged model the first name that is taken; of two models of one name that name is reported."""
+    names: set[str | None] = set()
+    for found in merged:
+        if found.uri is not None:
+            own = [Name(kind, name, found.uri, parent, is_merged=True) for kind, name, _ in moved(found)]
+            clash = next((name for name in own if name.name in taken), None)
+            if clash is not None and found.name not in names:
+                yield Namesakes(taken[clash.name], clash)
+            for name in own:
+                taken.setdefault(name.name, name)
+        names.add(found.name)
+
+
+# Includes that multiply: files of files of files, each some times, make more models than anybody can look at.
+
+
+class TooManyModels(WrongUsage):
+    """A file brings more than can be looked into; what is known of it would not be the whole."""
+
+
+class _Size(NamedTuple):
+    """How many models the includes of a file bring in, and how long their longest chain is."""
+
+    models: int
+    depth: int
+
+
+def refuse_too_many(document: Document) -> None:
+    """Make sure that all of what a document includes can be looked into.
+
+    Raises TooManyModels.
+    """
+    if document.root is None or document.root.name != "sdf":
+        return
+    size = _size(document, {}, ())
+    if size.depth > DEEPEST:
+        raise TooManyModels(f"{document.path}: includes lead through more than {DEEPEST} files")
+    if size.models > MOST_MODELS:
+        raise TooManyModels(f"{document.path}: its includes bring in more than {MOST_MODELS} models")
+
+
+def _size(document: Document, known: dict[Document, _Size], chain: tuple[Document, ...]) -> _Size:
+    """The size of each file is worked out once, however often it is included."""
+    if document in known:
+        return known[document]
+    if document in chain:
+        raise TooManyModels(f"{chain[0].path}: includes lead from {document.path} back to it")
+    if len(chain) > DEEPEST:
+        return _Size(0, DEEPEST + 1)
+    models, depth = 0, 0
+    for include in includes_of(document):
+        found = included(document, include)
+        if found.document is None or found.model is None or found.kind != "model":
+            continue
+        inner = _size(found.document, known, (*chain, document))
+        models += 1 + inner.models
+        depth = max(depth, 1 + inner.depth)
+    size = known[document] = _Size(models, depth)
+    return size

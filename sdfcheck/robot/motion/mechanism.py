@@ -8,10 +8,13 @@ places its links.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.poses import Array
+from sdfcheck.robot.motion.poses import Array, about_axis, inverse, transform, z_towards
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
 
@@ -153,3 +156,169 @@ class Mechanism:
         """The joints that close loops."""
         tree = {joint.name for joint in self.spanning()}
         return [joint for joint in self.joints.values() if joint.name not in tree]
+
+
+# Forward kinematics and total mass of a robot at any joint positions.
+#
+# Many configurations are worked out at once: arrays of poses have the shape (n, 4, 4), or (1, 4, 4) for what
+# is the same in all of them.
+
+
+Positions = Mapping[str, Array]
+"""Joint → its positions (rad or m), shape (n, k): one for each axis; three for a ball joint (a rotation vector)."""
+
+
+_POSITIONS = {
+    "fixed": 0, "ball": 3, "universal": 2, "revolute2": 2, "planar": 3, "floating": 6, "curvilinear": 0
+}  # fmt: skip
+"""Kind of joint → how many positions it takes, where that is not one. A path is not followed."""
+
+
+def degrees_of_freedom(joint: Joint) -> int:
+    """How many positions a joint takes."""
+    return _POSITIONS.get(joint.kind, 1)
+
+
+class Bodies(NamedTuple):
+    """Mass properties of a robot in n configurations; the moments are about the centers."""
+
+    mass: float
+    centers: Array
+    """Shape (n, 3)."""
+    moments: Array
+    """Shape (n, 3, 3)."""
+
+    def seen_from(self, frames: Array) -> Bodies:
+        """The same in outer frames, in which these have the poses ``frames``."""
+        turns = frames[:, :3, :3]
+        centers = (turns @ self.centers[..., None])[..., 0] + frames[:, :3, 3]
+        return Bodies(self.mass, centers, turns @ self.moments @ turns.swapaxes(-1, -2))
+
+
+def motions(joint: Joint, positions: Array | None) -> Array:
+    """The displacements of a joint's child in the joint's frame, shape (n, 4, 4)."""
+    kind, axes = joint.kind, joint.axes
+    if kind == "fixed" or positions is None or not positions.shape[1]:
+        return np.eye(4)[None]
+    first = positions[:, 0]
+    if kind == "ball":
+        return transform(_by_vector(positions), (0, 0, 0))
+    if kind == "prismatic":
+        return _shifted(first[:, None] * _direction(axes))
+    if kind in {"universal", "revolute2"}:
+        turned = about_axis(_direction(axes), first) @ about_axis(_direction(axes, 1), positions[:, 1])
+        return transform(turned, (0, 0, 0))
+    if kind == "screw":
+        travel = first[:, None] * _direction(axes) * joint.pitch
+        return transform(about_axis(_direction(axes), first), travel)
+    if kind == "planar":
+        across = _perpendicular(_direction(axes))
+        along = first[:, None] * across[0] + positions[:, 1, None] * across[1]
+        return transform(about_axis(_direction(axes), positions[:, 2]), along)
+    if kind == "floating":
+        return transform(_by_vector(positions[:, 3:]), positions[:, :3])
+    return transform(about_axis(_direction(axes), first), (0, 0, 0))
+
+
+def _by_vector(vectors: Array) -> Array:
+    """Turns about vectors (n, 3), as far as they are long (rad)."""
+    angles = np.linalg.norm(vectors, axis=1)
+    return about_axis(vectors / np.where(angles > 0, angles, 1)[:, None], angles)
+
+
+def _shifted(shifts: Array) -> Array:
+    return transform(np.broadcast_to(np.eye(3), (len(shifts), 3, 3)), shifts)
+
+
+def link_poses(robot: Mechanism, positions: Positions) -> dict[str, Array]:
+    """The poses of every link in the model's frame; joints that close loops are ignored.
+
+    ``positions`` leaves out joints at zero; followers are worked out from their leaders.
+    A connected group is placed from the world, or else from its first link that no joint carries.
+    """
+    values = with_followers(robot, positions)
+    beside: dict[str, list[Joint]] = {}
+    for joint in robot.spanning():
+        for end in (joint.parent, joint.child):
+            beside.setdefault(end, []).append(joint)
+    poses: dict[str, Array] = {}
+    for start in ("world", *robot.roots(), *robot.links):
+        if start in poses:
+            continue
+        poses[start] = _zero(robot, start)[None]
+        waiting = [start]
+        while waiting:
+            here = waiting.pop()
+            for joint in beside.get(here, ()):
+                there = joint.child if here == joint.parent else joint.parent
+                if there not in poses:
+                    poses[there] = poses[here] @ _steps(robot, joint, values, here)
+                    waiting.append(there)
+    return {name: poses[name] for name in robot.links}
+
+
+def _zero(robot: Mechanism, name: str) -> Array:
+    link = robot.links.get(name)
+    return np.eye(4) if link is None else link.pose
+
+
+def _steps(robot: Mechanism, joint: Joint, values: Positions, start: str) -> Array:
+    """The poses of one end of a joint in the other, ``start``."""
+    before = inverse(_zero(robot, joint.parent)) @ joint.pose
+    after = inverse(joint.pose) @ _zero(robot, joint.child)
+    across = before @ motions(joint, values.get(joint.name)) @ after
+    return across if start == joint.parent else inverse(across)
+
+
+def with_followers(robot: Mechanism, positions: Positions) -> dict[str, Array]:
+    """The positions, with those of mimicking joints worked out, chains too; what leads into a ring keeps its own."""
+    result, own = dict(positions), set[str]()
+    nowhere = np.zeros((1, 1))
+
+    def mimic_of(name: str) -> Mimic | None:
+        joint = robot.joints[name]
+        mimic = joint.axes[0].mimic if joint.axes and name not in own else None
+        return mimic if mimic is not None and mimic.leader in robot.joints else None
+
+    for name in robot.joints:
+        chain: dict[str, Mimic] = {}
+        at = name
+        while at not in chain and (mimic := mimic_of(at)) is not None:
+            chain[at], at = mimic, mimic.leader
+        own |= chain.keys()  # from here on they have a position
+        if at in chain:
+            continue
+        position = result.get(at, nowhere)[:, :1]
+        for follower, mimic in reversed(chain.items()):
+            position = mimic.multiplier * (position - mimic.reference) + mimic.offset
+            result[follower] = position
+    return result
+
+
+def total_body(robot: Mechanism, poses: Mapping[str, Array]) -> Bodies | None:
+    """All links joined at the given poses, in the model's frame; None if no link has mass properties."""
+    bodies = [(link.body, poses[name]) for name, link in robot.links.items() if link.body is not None]
+    if not bodies:
+        return None
+    placed = np.stack(np.broadcast_arrays(*(pose for _, pose in bodies)))
+    turns = placed[..., :3, :3]
+    masses = np.array([body.mass for body, _ in bodies])
+    centers = (turns @ np.stack([body.center for body, _ in bodies])[:, None, :, None])[..., 0]
+    centers = centers + placed[..., :3, 3]
+    moments = turns @ np.stack([body.moments for body, _ in bodies])[:, None] @ turns.swapaxes(-1, -2)
+    mass = float(masses.sum())
+    center = np.einsum("l,lni->ni", masses, centers) / mass if mass else centers[0]
+    offsets = centers - center
+    squares = np.einsum("lni,lni->ln", offsets, offsets)[..., None, None] * np.eye(3)
+    shifts = squares - offsets[..., :, None] * offsets[..., None, :]
+    return Bodies(mass, center, (moments + masses[:, None, None, None] * shifts).sum(axis=0))
+
+
+def _direction(axes: tuple[Axis, ...], number: int = 0) -> Array:
+    return axes[number].direction if len(axes) > number else np.array([0.0, 0.0, 1.0])
+
+
+def _perpendicular(normal: Array) -> tuple[Array, Array]:
+    """Two unit vectors that span the plane across a normal: x and y, turned with z the shortest way to it."""
+    turned = z_towards(normal)
+    return turned[:, 0], turned[:, 1]

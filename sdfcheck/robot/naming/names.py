@@ -193,7 +193,7 @@ class Names:
         if self.root.is_urdf and self.root.elements.get("gazebo"):
             found += extended_namesakes(self.root, _given_in_urdf(self.root))
         if document.library is not None and not self.root.is_urdf and "merge" in document.source.text:
-            from sdfcheck.robot.includes.merges import merged_namesakes
+            from sdfcheck.robot.includes.included import merged_namesakes
 
             found += merged_namesakes(document)
         return tuple(found)

@@ -14,8 +14,8 @@ from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.naming.references import references
 from sdfcheck.robot.part import Namespace
 from sdfcheck.robot.root import Root, root_of
-from sdfcheck.robot.vendor.tags import owner_of
-from sdfcheck.robot.vendor.tags import values as vendor_values
+from sdfcheck.robot.vendor import owner_of
+from sdfcheck.robot.vendor import values as vendor_values
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.canonical import CanonicalStyle, CanonicalText, NumberStyle, canonical
 from sdfcheck.convert.file_difference import compare_files
-from sdfcheck.convert.rewrite.canonical import CanonicalStyle, CanonicalText, NumberStyle, canonical
 from sdfcheck.source.altered import Xml
 from sdfcheck.source.errors import WrongUsage
 from tests.unit.robot.files import ARM, CONFIG, opened, write

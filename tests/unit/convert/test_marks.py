@@ -10,7 +10,7 @@ from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.sdf_to_urdf import convert
-from sdfcheck.convert.sdf_to_urdf.options import Options as SdfToUrdf
+from sdfcheck.convert.sdf_to_urdf.plan import Options as SdfToUrdf
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.source.document import Document, read

@@ -9,8 +9,8 @@ import pytest
 from sdfcheck.convert.comparison import ChangeKind
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.loss import NotConvertible
-from sdfcheck.convert.migrate.draft import Draft
 from sdfcheck.convert.migrate.migrate import LOWEST, TARGETS, sdf_to_sdf
+from sdfcheck.convert.migrate.migration import Draft
 from sdfcheck.convert.result import Conversion
 from sdfcheck.files.library import Library
 from sdfcheck.formats.problems import UnknownElement

@@ -10,7 +10,7 @@ from lxml import etree
 from sdfcheck.cli.main import main
 from sdfcheck.convert.call import convert
 from sdfcheck.convert.ledger import Ledger
-from sdfcheck.convert.sdf_to_urdf.carried import _list
+from sdfcheck.convert.sdf_to_urdf.extensions import _list
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.source.document import read

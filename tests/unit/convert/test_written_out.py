@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.convert.include_expansion import needs_writing_out
 from sdfcheck.convert.migrate.migrate import written_out
-from sdfcheck.convert.rewrite.include_expansion import needs_writing_out
 from sdfcheck.files.library import Library
 from sdfcheck.source.document import Document, Element, read
 

@@ -10,11 +10,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sdfcheck.lint.fix import TextEdit
-from sdfcheck.lsp.actions import differences, offers
+from sdfcheck.lsp.actions import differences, extractions, offers
 from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.context import Checkpoints, context
 from sdfcheck.lsp.edits import colors, counted, lenses, linked, selections
-from sdfcheck.lsp.extract import extractions
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover, signature

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.lsp.derived import keeps_expansion
-from sdfcheck.lsp.extract import Extraction, extractions
+from sdfcheck.lsp.actions import Extraction, extractions, keeps_expansion
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.splice import replaced
 from tests.unit.lsp.texts import ROBOT

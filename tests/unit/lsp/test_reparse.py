@@ -12,8 +12,7 @@ import pytest
 
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.reparse import reparsed, same_ends
-from sdfcheck.lsp.workspace import Workspace
+from sdfcheck.lsp.workspace import Workspace, reparsed, same_ends
 from sdfcheck.source.document import Aside, Document
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.report.colors import painter
-from sdfcheck.report.losses import by_file_and_code
+from sdfcheck.report.formats.concise import by_file_and_code
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.text import Source
 

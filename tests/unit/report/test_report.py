@@ -12,7 +12,7 @@ import pytest
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
-from sdfcheck.report import overview as statistics
+from sdfcheck.report import digest as statistics
 from sdfcheck.report.paths import Paths
 from sdfcheck.report.summary import closing_line
 from tests.unit.report.runs import diagnostic, facts, fixed, marked, run

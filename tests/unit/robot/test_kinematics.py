@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.kinematics import degrees_of_freedom, motions, with_followers
+from sdfcheck.robot.motion.mechanism import degrees_of_freedom, motions, with_followers
 from sdfcheck.robot.motion.poses import about_axis
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read

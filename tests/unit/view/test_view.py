@@ -15,7 +15,7 @@ import pytest
 import sdfcheck
 from sdfcheck.cli.main import main
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.kinematics import link_poses
+from sdfcheck.robot.motion.mechanism import link_poses
 from sdfcheck.robot.root import root_of
 from sdfcheck.view.meshes import Meshes
 from sdfcheck.view.scene import MOST_SHAPES, scene

@@ -1,4 +1,4 @@
-"""The tags of vendors in a document: where they are, what they hold, what their values refer to."""
+"""Elements of vendors: their tags and values, what these refer to, and what they lack."""
 
 from __future__ import annotations
 
@@ -24,18 +24,268 @@ from sdfcheck.formats.vendor.definitions import (
     value_elsewhere,
 )
 from sdfcheck.formats.vendor.table import vendor
-from sdfcheck.formats.vendor.values import Misreading, expected_of, misreading, out_of_range
+from sdfcheck.formats.vendor.values import Misreading, expected_of, misreading, numbers, out_of_range
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.graph import Scope
 from sdfcheck.robot.naming.name import MODEL_FRAME
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import lazy
-from sdfcheck.robot.vendor import relations
-from sdfcheck.robot.vendor.relations import Excess, FirstChildren, Lack, Need, Use, is_skipped, meant
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
+
+# Children by name, looked up once for each element: a group may have any number of members.
+
+
+class FirstChildren:
+    """The first child of each name, of the elements of a document."""
+
+    __slots__ = ("_by_name", "_by_value")
+
+    def __init__(self, document: Document) -> None:
+        self._by_name: dict[Element, dict[str, Element]] = {}
+        self._by_value: dict[tuple[Element, str, str], dict[str, Element]] = {}
+
+    def of(self, parent: Element) -> dict[str, Element]:
+        """The first children of an element by their names as written."""
+        known = self._by_name.get(parent)
+        if known is None:
+            known = self._by_name[parent] = {}
+            for child in parent.children():
+                known.setdefault(child.name, child)
+        return known
+
+    def with_value(self, parent: Element, name: str, attribute: str) -> dict[str, Element]:
+        """The first children of a name by the value of an attribute."""
+        key = (parent, name, attribute)
+        known = self._by_value.get(key)
+        if known is None:
+            known = self._by_value[key] = {}
+            for child in parent.children(name):
+                value = child.attribute(attribute)
+                if value is not None:
+                    known.setdefault(value.text, child)
+        return known
+
+
+def first_child(parent: Element, name: str) -> Element | None:
+    """The first child of a name; the same as ``parent.find(name)``, where it is asked of every child."""
+    return parent.document.view(FirstChildren).of(parent).get(name)
+
+
+_TRUE = frozenset(("true", "1"))
+_CONDITION = re.compile(r"([^(),]+)(?:\(([^)]*)\))?")
+
+
+class Use(NamedTuple):
+    """A tag as an element of a document."""
+
+    vendor: Vendor
+    tag: Tag
+    element: Element
+    parent: Element
+
+
+class Lack(NamedTuple):
+    """A child that must be there and is not: one of ``choices``."""
+
+    choices: tuple[str, ...]
+    effect: Effect
+    near: Element | None
+    """A child without prefix that may have been meant for it."""
+    misspelled: str | None
+    """The name of a child that the vendor does not know, and that is near to a choice."""
+
+
+class Need(NamedTuple):
+    """A sibling that must be there and is not; ``because`` is the element that makes it so, if one does."""
+
+    name: str
+    because: Element | None
+
+
+class Excess(NamedTuple):
+    """A value above the one of another tag that it must not exceed."""
+
+    low: Value
+    high: Value
+    effect: Effect
+
+
+def excluded_by(use: Use) -> Element | None:
+    """The sibling that a tag excludes."""
+    return next(
+        (found for text in use.tag.keys.all("excludes") if (found := sibling(text, use.parent)) is not None),
+        None,
+    )
+
+
+def is_excluded(use: Use) -> bool:
+    """Is there a sibling that excludes this tag?"""
+    names = use.parent.document.view(FirstChildren).of(use.parent)
+    siblings = (use.vendor.tags.get(name) for name in names)
+    return any(use.tag.name in other.keys.all("excludes") for other in siblings if other is not None)
+
+
+def forbidden(use: Use) -> list[Element]:
+    """The children that a tag must not have."""
+    found = map(use.element.find, use.tag.keys.words("forbids"))
+    return [child for child in found if child is not None]
+
+
+def idle_beside(use: Use) -> Element | None:
+    """The sibling because of which a tag has no effect."""
+    tag, parent = use.tag, use.parent
+    other = sibling(tag.keys.text("idle-with"), parent)
+    if other is not None:
+        return other
+    return next(
+        (f for name in tag.keys.words("loses-to") if (f := first_child(parent, name)) is not None), None
+    )
+
+
+def needs(use: Use) -> Iterator[Need]:
+    """The siblings that a tag needs and does not have."""
+    parent = use.parent
+    for text in use.tag.keys.all("needs"):
+        match = _CONDITION.match(text)
+        assert match is not None
+        needed, paths = match.groups()
+        because = _shape(parent, paths) if paths else None
+        if (not paths or because is not None) and first_child(parent, needed) is None:
+            yield Need(needed, because)
+
+
+def tied(use: Use) -> tuple[Value, Value] | None:
+    """The value of a tag and the same one of another, which must be different."""
+    name = use.tag.keys.text("differs")
+    other = first_child(use.parent, name) if name else None
+    mine = _value(use.tag, use.element) if other is not None else None
+    theirs = None if other is None else _value(use.vendor.tags[name], other)
+    if mine is None or theirs is None or not mine.text.strip() == theirs.text.strip() != "":
+        return None
+    return mine, theirs
+
+
+def excess(use: Use) -> Excess | None:
+    """The value of a tag that is above the one that it must not exceed."""
+    name, effect = use.tag.keys.text("at-most"), REFUSED
+    if name.count(":") > 1:
+        name, _, word = name.rpartition(":")
+        effect = Effect.of(word)
+    other = first_child(use.parent, name) if name else None
+    low = _number(use.vendor, use.tag, use.element) if other is not None else None
+    high = None if other is None else _number(use.vendor, use.vendor.tags[name], other)
+    if low is None or high is None or not low[0] > high[0]:
+        return None
+    return Excess(low[1], high[1], effect)
+
+
+def is_skipped(vendor: Vendor, element: Element) -> bool:
+    """Does an attribute of a tag, or of one around it, make the consumer skip its content?"""
+    at: Element | None = element
+    while at is not None and (tag := vendor.tags.get(at.name)) is not None:
+        switch = tag.keys.text("skipped").removeprefix("@")
+        text = at.text_of(switch, "") if switch else ""
+        is_exact = bool(switch) and tag.attributes[switch].type == "truth"
+        if text == "true" or (not is_exact and text.strip().lower() in _TRUE):
+            return True
+        at = at.parent
+    return False
+
+
+def lacks(use: Use) -> Iterator[Lack]:
+    """Children that must be there: by their own places, or one out of several."""
+    vendor, tag, element = use.vendor, use.tag, use.element
+    if is_skipped(vendor, element):
+        return
+    given = [child.name for child in element.children()]
+    effects = dict(text.rsplit(":", 1) for text in tag.keys.all("missing"))
+    groups: list[tuple[str, ...]] = [
+        (other.name,)
+        for other in vendor.tags.values()
+        for place in other.places
+        if place.needed
+        and place.path[0].name == tag.name
+        and place.encloses(element)
+        and place.holds(element)
+    ]
+    if choices := tag.keys.words("any"):
+        groups.append(choices)
+    groups = [group for group in groups if set(group).isdisjoint(given)]
+    strange = [name for name in given if name.startswith(f"{vendor.prefix}:") and name not in vendor.tags]
+    # Where one is missing, a name that is only somewhat like it is meant for it.
+    wanted = [name for group in groups for name in group]
+    meanings = {suggest(name, wanted): name for name in strange} if groups else {}
+    for group in groups:
+        effect = Effect.of(effects.get(group[0], "error"))
+        bare = (name.partition(":")[2] for name in group)
+        near = next((found for name in bare if (found := element.find(name)) is not None), None)
+        misspelled = next((meanings[choice] for choice in group if choice in meanings), None)
+        yield Lack(group, effect, near, misspelled)
+
+
+def meant(vendor: Vendor, name: str) -> str | None:
+    """The tag that a misspelled name was probably to be."""
+    mark = f"{vendor.prefix}:"
+    found = nearest(name.removeprefix(mark), (tag.removeprefix(mark) for tag in vendor.tags))
+    return f"{mark}{found}" if found else None
+
+
+def sibling(conditions: str, parent: Element) -> Element | None:
+    """The first child that meets one of ``tag(path,path)``: there, and one of the paths in the holder."""
+    for name, paths in _CONDITION.findall(conditions):
+        found = _at(parent, name)
+        if found is None and "/" in name:
+            holder = _holder(parent)
+            found = None if holder is None else _at(holder, name)
+        if found is not None and (not paths or _shape(parent, paths) is not None):
+            return found
+    return None
+
+
+def _shape(parent: Element, paths: str) -> Element | None:
+    holder = _holder(parent)
+    if holder is None:
+        return None
+    return next((found for path in paths.split(",") if (found := _at(holder, path)) is not None), None)
+
+
+def _holder(element: Element) -> Element | None:
+    """The nearest standard element around."""
+    at: Element | None = element
+    while at is not None and at.is_custom:
+        at = at.parent
+    return at
+
+
+def _at(element: Element, path: str) -> Element | None:
+    found: Element | None = element
+    for name in path.split("/"):
+        found = None if found is None else first_child(found, name)
+    return found
+
+
+def _value(tag: Tag, element: Element) -> Value | None:
+    """The value of a tag, in whichever of its places it is."""
+    for place in tag.places:
+        if place.carrier == "text":
+            return element.own_value
+        if place.carrier[:1] == "@":
+            return element.attribute(place.carrier[1:])
+    return None
+
+
+def _number(vendor: Vendor, tag: Tag, element: Element) -> tuple[float, Value] | None:
+    value = _value(tag, element)
+    slot = next((place.slot for place in tag.places if place.slot is not None), None)
+    if value is None or slot is None or not value.text.strip():
+        return None
+    if misreading(slot, value.text, vendor.is_lenient) or out_of_range(slot, value.text):
+        return None
+    return numbers(slot, value.text)[0], value
+
 
 # A value of a vendor's tag, and how the vendor's consumer takes it.
 
@@ -319,7 +569,7 @@ class VendorTag(PlacedTag):
     @property
     def missing_values(self) -> tuple[MissingValue, ...]:
         """The values that must be in attributes or plain children, and are nowhere."""
-        if self.element is not None and relations.is_skipped(self.vendor, self.element):
+        if self.element is not None and is_skipped(self.vendor, self.element):
             return ()
         found = [
             (carrier, REFUSED)
@@ -371,24 +621,24 @@ class VendorTag(PlacedTag):
     def is_judged(self) -> bool:
         """Do the ranges of its values hold here?"""
         conditions = self.definition.keys.text("range-with") if self.definition is not None else ""
-        return not conditions or relations.sibling(conditions, self.parent) is not None
+        return not conditions or sibling(conditions, self.parent) is not None
 
     # Surroundings
 
     @property
     def lacks(self) -> list[Lack]:
         """The children that it must have and does not."""
-        return [] if self._use is None else list(relations.lacks(self._use))
+        return [] if self._use is None else list(lacks(self._use))
 
     @property
     def excluded(self) -> Element | None:
         """A sibling that it excludes."""
-        return None if self._use is None else relations.excluded_by(self._use)
+        return None if self._use is None else excluded_by(self._use)
 
     @property
     def forbidden(self) -> list[Element]:
         """The children that it must not have."""
-        return [] if self._compatible is None else relations.forbidden(self._compatible)
+        return [] if self._compatible is None else forbidden(self._compatible)
 
     @property
     def is_compatible(self) -> bool:
@@ -398,22 +648,22 @@ class VendorTag(PlacedTag):
     @property
     def needs(self) -> list[Need]:
         """The siblings that it must have and does not."""
-        return [] if self._compatible is None else list(relations.needs(self._compatible))
+        return [] if self._compatible is None else list(needs(self._compatible))
 
     @property
     def idle_beside(self) -> Element | None:
         """The sibling because of which it has no effect."""
-        return None if self._compatible is None else relations.idle_beside(self._compatible)
+        return None if self._compatible is None else idle_beside(self._compatible)
 
     @property
     def excess(self) -> Excess | None:
         """Its value and the one of a sibling that it must not exceed."""
-        return None if self._compatible is None else relations.excess(self._compatible)
+        return None if self._compatible is None else excess(self._compatible)
 
     @property
     def tied(self) -> tuple[Value, Value] | None:
         """Its value and the same one of a sibling, which must be different."""
-        return None if self._compatible is None else relations.tied(self._compatible)
+        return None if self._compatible is None else tied(self._compatible)
 
     # When it came
 
@@ -477,7 +727,7 @@ class VendorTag(PlacedTag):
     def _compatible(self) -> Use | None:
         """The same, where no sibling excludes it, which would be reported then."""
         use = self._use
-        is_in_conflict = use is None or self.excluded is not None or relations.is_excluded(use)
+        is_in_conflict = use is None or self.excluded is not None or is_excluded(use)
         return None if is_in_conflict else use
 
 

@@ -11,7 +11,7 @@ from collections.abc import Container, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from sdfcheck.convert.rewrite.include_expansion import finish
+from sdfcheck.convert.include_expansion import finish
 from sdfcheck.convert.writer import INERTIAL, JOINT, LINK, MERGED, NONE, NOTHING, PARENT, WAS, numbers
 from sdfcheck.formats.sdf.values import number
 from sdfcheck.robot.graph import Model
@@ -24,6 +24,12 @@ from sdfcheck.robot.root import root_of
 from sdfcheck.source.altered import Altered, Xml
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.errors import DescriptionError
+
+# Links that became part of another when URDF was converted, as links again.
+#
+# That conversion leaves marks (:mod:`sdfcheck.convert.writer`). Where inertials were summed up, and the sum
+# has been changed since, its parts are not known any more, and the links stay together.
+
 
 _MOMENTS = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 _EQUAL = 1e-9

@@ -33,6 +33,12 @@ from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, relative_path
 
+# Includes replaced by what they bring.
+#
+# The children of an include (name, pose, static, placement frame, plugins) take precedence over those of the
+# included file. A merged model leaves a frame in place of its own, by the name that libsdformat gives it.
+
+
 # Files that were found beside an included file, as found from the file that includes it.
 
 
