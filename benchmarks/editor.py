@@ -8,6 +8,9 @@ name, value, attribute, tag or call was removed; and renames, lints and expands.
 from __future__ import annotations
 
 import argparse
+import builtins
+import keyword
+import math
 import random
 import re
 import sys
@@ -44,6 +47,10 @@ _TAG = re.compile(
 )
 _ATTRIBUTE = re.compile(r"([\w:.-]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _ARGUMENT = re.compile(r"\$\(arg\s+(\w+)\)")
+_EXPRESSION = re.compile(r"(?<!\$)\$\{([^{}<>]*)\}")
+_WORD = re.compile(r"'[^']*'|\"[^\"]*\"|(?<![\w.])([^\W\d]\w*)(?!\w*\s*=[^=])")
+_CALL = re.compile(r"<xacro:(\w+)")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 REFERENCES = {
     Kind.URDF: {"parent@link", "child@link", "mimic@joint", "gazebo@reference"},
@@ -72,6 +79,20 @@ DEFINITIONS[Kind.XACRO] = DEFINITIONS[Kind.URDF] | {
     "xacro:macro@name",
     "xacro:property@name",
     "xacro:arg@name",
+}
+_PYTHON = {*dir(builtins), *dir(math), *keyword.kwlist, "xacro", "load_yaml", "degrees", "radians"}
+"""Words that mean something of their own in expressions."""
+_XACRO = {
+    "arg",
+    "attribute",
+    "call",
+    "element",
+    "if",
+    "include",
+    "insert_block",
+    "macro",
+    "property",
+    "unless",
 }
 CHOICES = {
     "joint@type",
@@ -121,6 +142,28 @@ def names(text: str, wanted: set[str]) -> Iterator[Name]:
             if raw.strip() and text.startswith(f"</{tag['name']}", end):
                 start = tag.end() + len(raw) - len(raw.lstrip())
                 yield Name(tag["name"], start, start + len(raw.strip()), tag.start())
+
+
+def xacro_words(text: str) -> Iterator[Name]:
+    """The words of expressions, the arguments that are asked for, and the macros that are called, in a xacro text."""
+    text = _COMMENT.sub(lambda found: " " * len(found[0]), text)
+    for expression in _EXPRESSION.finditer(text):
+        for word in _WORD.finditer(expression[1]):
+            if word[1] and word[1] not in _PYTHON:
+                start = expression.start(1) + word.start(1)
+                yield Name("word", start, start + len(word[1]), expression.start())
+    for found in _ARGUMENT.finditer(text):
+        yield Name("argument", found.start(1), found.end(1), found.start())
+    for found in _CALL.finditer(text):
+        if found[1] not in _XACRO:
+            yield Name("call", found.start(1), found.end(1), found.start())
+
+
+def every_name(text: str, kind: Kind) -> Iterator[Name]:
+    """Every name in a text."""
+    yield from names(text, REFERENCES[kind] | DEFINITIONS[kind])
+    if kind is Kind.XACRO:
+        yield from xacro_words(text)
 
 
 class Editor:
@@ -181,7 +224,7 @@ class Tally:
 
 def every_character(editor: Editor, buffer: Buffer, kind: Kind, tally: Tally) -> None:
     """Definition, references and renaming at each character of each name."""
-    for name in names(buffer.source.text, REFERENCES[kind] | DEFINITIONS[kind]):
+    for name in every_name(buffer.source.text, kind):
         value = buffer.source.text[name.start : name.end]
         before, is_listed = object(), False
         for offset in range(name.start, name.end):
@@ -331,7 +374,7 @@ def renames(editor_of: Callable[[], Editor], files: list[Any], count: int, seed:
     chance = random.Random(seed)
     while tally.asked["rename is done"] < count:
         path, kind, text = chance.choice(files)
-        places = list(names(text, REFERENCES[kind] | DEFINITIONS[kind]))
+        places = list(every_name(text, kind))
         if not places:
             continue
         editor = editor_of()

@@ -124,7 +124,7 @@ class Edit:
 
         Raises EditError for a name that is taken or cannot be one.
         """
-        if (reason := name_refusal(node.kind, name)) is not None:
+        if (reason := name_refusal(node.kind, node.name, name)) is not None:
             raise EditError(reason)
         scope = node.scope if isinstance(node.holder, Scope) else None
         there = taken_by(scope, node.kind, name) if scope is not None else None

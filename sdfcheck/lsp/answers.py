@@ -369,9 +369,7 @@ class Answers:
             return found
         if found is None:
             return None
-        piece = found.piece
-        shown = found.named.symbol.name if piece == found.named.span else piece.text
-        return types.PrepareRenamePlaceholder(self.speech.range(piece), shown)
+        return types.PrepareRenamePlaceholder(self.speech.range(found.piece), found.shown)
 
     def rename(self, buffer: Buffer, params: types.RenameParams) -> types.WorkspaceEdit | Refused:
         self.workspace.look_again(buffer)
@@ -381,7 +379,7 @@ class Answers:
         if found is None:
             return Refused("there is nothing with a name here")
         try:
-            edits = rename(self.workspace, self.document(buffer), found.named, params.new_name, found.piece)
+            edits = rename(self.workspace, self.document(buffer), found, params.new_name)
             return self.speech.workspace_edit(edits)
         except Refused as refusal:
             return refusal

@@ -17,6 +17,7 @@ from sdfcheck.lsp.xacro_names import Known, xacro_names
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, robot_names
 from sdfcheck.robot.semantics import (
     MOST_ROBOTS,
+    ROOT_JOINT,
     Assistants,
     Semantics,
     declared,
@@ -28,9 +29,10 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.expansion import Expansion
+from sdfcheck.xacro.expansion import Expander, Expansion
 from sdfcheck.xacro.language import matches
 from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
+from sdfcheck.xacro.static.launches import launched_arguments
 from sdfcheck.xacro.static.project import includers
 
 # The names of the robots that xacro files make: for each place where one is written, all that it expands to.
@@ -165,11 +167,9 @@ def expansions(
     """
     found = []
     for root in roots:
-        settings = workspace.settings_for(root.path)
-        expander, sets = workspace.caches.xacro(settings, root.path)
+        expander, wanted = _expander(workspace, root)
         if not isinstance(expander, LiveExpander):
             continue
-        wanted = [dict(each) for each in sets] or _usual_sets(root)
         if turned and not only_known:
             wanted += [{**wanted[0], **switch} for switch in _switches(root)]
         for arguments in wanted:
@@ -178,6 +178,16 @@ def expansions(
             if own is not None:
                 found.append(own)
     return found
+
+
+def _expander(workspace: Workspace, root: Document) -> tuple[Expander | None, list[dict[str, str]]]:
+    expander, sets = workspace.caches.xacro(workspace.settings_for(root.path), root.path)
+    return expander, [dict(each) for each in sets] or _usual_sets(root)
+
+
+def is_given(workspace: Workspace, root: Document, argument: str) -> bool:
+    """Do launch files, the settings of MoveIt's assistant or the configuration give an argument to a file?"""
+    return any(argument in each for each in (*launched_arguments(root), *_expander(workspace, root)[1]))
 
 
 def _usual_sets(root: Document) -> list[dict[str, str]]:
@@ -266,9 +276,9 @@ def _described(document: Document) -> list[Document]:
     if document.kind is not Kind.SRDF or document.root is None:
         return []
     semantics = document.view(Semantics)
-    wanted = {
-        (part.kind, part.value.text.strip()) for part in semantics.named if not semantics.is_added(part)
-    }
+    symbols = (each.symbol for each in semantic_names(semantics))
+    wanted = {(each.kind, each.name) for each in symbols if each.kind != "group"}
+    wanted -= {("joint", name) for name in (ROOT_JOINT, *semantics.virtual_joints)}
     best: list[Document] = []
     most = _FEWEST * len(wanted)
     for robot in islice(descriptions_of(semantics), MOST_ROBOTS):
@@ -327,11 +337,20 @@ def _found(document: Document) -> Iterator[Occurrence]:
     if document.root is None:
         return
     if document.kind is Kind.XACRO or is_made(document):
-        yield from xacro_names(document, roots_of(document))
+        yield from xacro_names(document, known_in(document))
     elif document.kind in {Kind.SDF, Kind.URDF}:
         yield from robot_names(document)
     elif document.kind is Kind.SRDF:
         yield from srdf_names(document)
+
+
+def known_in(document: Document) -> Known:
+    """What a document and the robots that include it define."""
+    return document.view(_known_in)
+
+
+def _known_in(document: Document) -> Known:
+    return Known([visible_definitions(each) for each in (document, *roots_of(document))])
 
 
 def is_made(document: Document) -> bool:
@@ -351,7 +370,10 @@ def definitions(workspace: Workspace, document: Document, named: Occurrence) -> 
     """The places where what is named gets its name; empty where they are not known."""
     symbol = named.symbol
     is_open = symbol.span == named.span and not named.is_definition
-    if symbol.kind not in IN_XACRO and (is_made(document) or (is_open and document.kind in _ROS)):
+    if symbol.kind in IN_XACRO:
+        groups = (group for group in known_in(document).groups if group[0].key == symbol.key)
+        return [each.span for each in next(groups, [symbol])]
+    if is_made(document) or (is_open and document.kind in _ROS):
         for turned in (False, True):
             found = list(_definitions(workspace, document, named, turned=turned))
             if found:
@@ -412,11 +434,14 @@ def _shared(
 
 
 def robots_about(workspace: Workspace, document: Document) -> list[Document]:
-    """The robots that SRDF is about: that of a document, or those that it is included in."""
+    """The robots that SRDF is about: that of a document, or those that it is included in.
+
+    Of a part that nothing includes, the robots of its name.
+    """
     found: dict[str, Document] = {}
-    for root in roots_of(document):
-        made = _made(workspace, [root])
-        semantics = made[0].document if made else root
+    roots = roots_of(document)
+    made = [one[0].document if (one := _made(workspace, [root])) else root for root in roots]
+    for semantics in made or [document]:
         if semantics.kind is Kind.SRDF and semantics.root is not None:
             for robot in descriptions_for(semantics) or _by_their_names(workspace, semantics):
                 found.setdefault(robot.source.real_path, robot)
@@ -476,11 +501,23 @@ def names_at(one: Expanded, span: Span) -> list[Key]:
 
 
 def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list[Occurrence]:
-    """Every place where a symbol is named: in a document, in the file that defines it, and in their project."""
-    found: list[Occurrence] = []
-    for other in _documents(workspace, document, symbol):
-        found += (each for each in occurrences(other).all if each.symbol.key == symbol.key)
-    return found
+    """Every place where a symbol is named: in a document, in the file that defines it, and in their project.
+
+    What several files define under one name, one of them knows by the one and another by the other definition.
+    """
+    documents = list(_documents(workspace, document, symbol))
+    groups = [
+        {each.key for each in group}
+        for other in documents
+        if symbol.kind in IN_XACRO and is_made(other)
+        for group in known_in(other).groups
+        if group[0].name == symbol.name
+    ]
+    keys, number = {symbol.key}, 0
+    while number < len(keys):
+        number = len(keys)
+        keys = keys.union(*(group for group in groups if not keys.isdisjoint(group)))
+    return [each for other in documents for each in occurrences(other).all if each.symbol.key in keys]
 
 
 def _documents(workspace: Workspace, document: Document, symbol: Symbol) -> Iterator[Document]:

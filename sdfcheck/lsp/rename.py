@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, zip_longest
 
 from sdfcheck.lint.fix import TextEdit
@@ -16,7 +16,9 @@ from sdfcheck.lsp.names import (
     as_written,
     everywhere,
     expansions,
+    is_given,
     is_made,
+    names_at,
     occurrences,
     pieces,
     place_of,
@@ -98,7 +100,8 @@ class Spread:
         self._expand()
         kind, span = named.symbol.kind, named.span
         is_open = not named.is_definition and named.symbol.span == span
-        rows = (each for one in self.all for each in self._rows_like(one, named))
+        keys = {key for one in self.all for key in names_at(one, span)}
+        rows = (each for one in self.all for key in keys for each in one.by_name.get(key, ()))
         if is_open and not any(each.is_definition for each in rows):
             raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
         self._write(span, text)
@@ -108,14 +111,13 @@ class Spread:
         self._unreached(named)
         edits = [each for each in self.edits.values() if each.span.text != each.text]
         for edit in edits:
-            if not self._names_any() and (reason := name_refusal(kind, edit.text)) is not None:
+            if (
+                not self._names_any()
+                and (reason := name_refusal(kind, edit.span.text, edit.text)) is not None
+            ):
                 raise Refused(reason)
-        self.prove(edits)
+        self.prove(edits, {})
         return edits
-
-    def _rows_like(self, one: Expanded, named: Occurrence) -> Iterator[Occurrence]:
-        for each in one.by_place.get(place_of(named.span), ()):
-            yield from one.by_name[each.symbol.kind, each.symbol.name]
 
     def _names_any(self) -> bool:
         return any(self._names)
@@ -175,7 +177,7 @@ class Spread:
 
     def _check(self, one: Expanded, key: Key, name: str) -> None:
         kind = key[0]
-        if (reason := name_refusal(kind, name)) is not None:
+        if (reason := name_refusal(*key, name)) is not None:
             raise Refused(reason)
         is_urdf = one.document.root is not None and one.document.root.name == "robot"
         for other in (kind,) if is_urdf or kind not in _NODES else _NODES:
@@ -275,8 +277,8 @@ class Spread:
 
     # The proof
 
-    def prove(self, edits: Sequence[TextEdit]) -> None:
-        """Expand the changed files: the robots must be the same but for the names.
+    def prove(self, edits: Sequence[TextEdit], arguments: Mapping[str, str]) -> None:
+        """Expand the changed files: the robots must be the same but for the names; ``arguments`` have new ones.
 
         Raises:
             Refused: they are not.
@@ -290,10 +292,16 @@ class Spread:
         texts = _texts(edits)
         for one, names in zip(self.all, self._names, strict=True):
             if isinstance(one.document, ExpandedDocument) and not one.is_partial:
-                self._prove(one, one.document, names, texts)
+                given = {arguments.get(name, name): value for name, value in one.arguments.items()}
+                self._prove(one, one.document, given, names, texts)
 
     def _prove(
-        self, one: Expanded, document: ExpandedDocument, names: dict[Key, str], texts: dict[str, str]
+        self,
+        one: Expanded,
+        document: ExpandedDocument,
+        arguments: Mapping[str, str],
+        names: dict[Key, str],
+        texts: dict[str, str],
     ) -> None:
         read = {os.path.abspath(source.path): source.real_path for source in document.provenance.files}
         changed = {path: texts[real] for path, real in read.items() if real in texts}
@@ -301,7 +309,7 @@ class Spread:
             return
         expander, _ = self.workspace.caches.xacro(self.workspace.settings_for(one.root.path), one.root.path)
         assert isinstance(expander, LiveExpander)
-        after = expander.tried(one.root, one.arguments, changed).text
+        after = expander.tried(one.root, arguments, changed).text
         if after is None:
             raise Refused(f"{one.root.path.name} could not be expanded any more")
         wanted = _expected(document, names)
@@ -419,6 +427,12 @@ class Target(NamedTuple):
     named: Occurrence
     piece: Span
 
+    @property
+    def shown(self) -> str:
+        """The name or piece that a person changes: of a name with expressions elsewhere what it is here."""
+        is_whole = self.piece == self.named.span and is_literal(self.named.symbol.name)
+        return self.named.symbol.name if is_whole else self.piece.text
+
 
 def target(document: Document, offset: int) -> Target | None:
     """The name that would be given anew at a place; of a name with expressions the literal piece there, or the nearest.
@@ -448,22 +462,20 @@ def _is_within(inner: Span, outer: Span) -> bool:
     return outer.start <= inner.start and inner.end <= outer.end and inner != outer
 
 
-def rename(
-    workspace: Workspace, document: Document, named: Occurrence, name: str, piece: Span | None = None
-) -> list[TextEdit]:
-    """The edits that give a symbol another name, in all files of the project; ``piece`` is the part that is replaced.
+def rename(workspace: Workspace, document: Document, target: Target, name: str) -> list[TextEdit]:
+    """The edits that give a symbol another name, in all files of the project.
 
     Raises:
         Refused: the name is taken, or cannot be one; or the robots would not stay the same but for the name.
     """
+    named, piece = target
     symbol, span = named.symbol, named.span
-    piece = piece or span
-    if name == (symbol.name if piece == span else piece.text):
+    if name == target.shown:
         return []
     spread = Spread(workspace, document)
     if symbol.kind in IN_XACRO or not spread.is_needed:
         edits = _everywhere(workspace, document, symbol, name)
-        spread.prove(edits)
+        spread.prove(edits, {symbol.name: name} if symbol.kind == "argument" else {})
         return edits
     text = span.text[: piece.start - span.start] + name + span.text[piece.end - span.start :]
     return spread.renamed(named, text)
@@ -478,6 +490,10 @@ def _everywhere(workspace: Workspace, document: Document, symbol: Symbol, name: 
     documents = {each.span.source.path: workspace.document(each.span.source.path) for each in found}
     for other in filter(None, documents.values()):
         _check_free(other, symbol, name)
+        if symbol.kind == "argument" and is_given(workspace, other, symbol.name):
+            raise Refused(
+                f"`{symbol.name}` is given to {other.path.name} from outside, which would not change"
+            )
     return [TextEdit(each.span, _written(each, name)) for each in found]
 
 
@@ -493,7 +509,8 @@ def _check_form(symbol: Symbol, name: str) -> None:
         raise Refused(f"`{name}` cannot be the name of an element")
     if symbol.kind in _IN_EXPRESSIONS and name in BUILT_IN:
         raise Refused(f"`{name}` means something else in expressions")
-    if symbol.kind not in IN_XACRO and (reason := name_refusal(symbol.kind, name)) is not None:
+    reason = None if symbol.kind in IN_XACRO else name_refusal(symbol.kind, symbol.name, name)
+    if reason is not None:
         raise Refused(reason)
     if symbol.kind == "argument" and (not name or re.search(r"[\s$(){}]", name)):
         raise Refused(f"`{name}` cannot be the name of an argument")
@@ -524,7 +541,10 @@ def _taken_in_xacro(document: Document, symbol: Symbol, name: str) -> Iterator[s
 def _taken_in_expressions(visible: Definitions, symbol: Symbol, name: str) -> Iterator[str]:
     """Would the name be taken for another, or another for it?"""
     macros = [macro for read in visible.readings for macro in read.macros]
-    own = next((macro for macro in macros if _is_in(symbol, macro)), None)
+    lasts = any(
+        each.name == symbol.name and each.lasts for read in visible.readings for each in read.properties
+    )
+    own = None if lasts else next((macro for macro in macros if _is_in(symbol, macro)), None)
     if own is not None:
         if name in own.words or name in _parameters_of(own):
             yield f"name in macro `{own.name}`"

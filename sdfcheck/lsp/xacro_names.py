@@ -12,7 +12,7 @@ from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import PREFIX, is_literal, matches, replaced
-from sdfcheck.xacro.static.definitions import Definitions, Macro, reading, visible_definitions
+from sdfcheck.xacro.static.definitions import Definitions, Macro, reading
 
 # The names in a text with xacro: of macros, parameters, properties and arguments, and of the robot as
 # written.
@@ -80,43 +80,47 @@ def _is_reference(element: Element) -> bool:
     return holder == "group" or (holder == "state" and element.name != "group")
 
 
-def xacro_names(document: Document, around: Iterable[Document] = ()) -> Iterator[Occurrence]:
-    """Every place in a document where something is named; ``around`` are robots that include it."""
-    known = Known([visible_definitions(each) for each in (document, *around)])
+def xacro_names(document: Document, known: Known) -> Iterator[Occurrence]:
+    """Every place in a document where something is named, by what it and the robots that include it define."""
     yield from known.own(document)
     for call in reading(document).calls:
-        symbol = known.macros.get(call.name) or known.macros.get(call.name.rpartition(".")[2])
-        if symbol is not None:
+        symbols = known.macros.get(call.name) or known.macros.get(call.name.rpartition(".")[2])
+        if symbols is not None:
             for span in _called(call.element, call.name):
-                yield Occurrence(span, symbol)
+                yield Occurrence(span, symbols[0])
     yield from _words(document, known)
     yield from _of_robot(document, known)
+
+
+Names = dict[str, list[Symbol]]
+"""Name → the places that define it: one name may be given in both branches of a condition, or anew."""
 
 
 class Own:
     """The symbols that one document defines; found once, whatever includes it."""
 
     def __init__(self, document: Document) -> None:
-        self.macros: dict[str, Symbol] = {}
-        self.properties: dict[str, Symbol] = {}
-        self.arguments: dict[str, Symbol] = {}
-        self.parameters: dict[Element, Mapping[str, Symbol]] = {}
-        self.local: dict[Element, dict[str, Symbol]] = {}
-        self.taken: dict[tuple[str, int], Mapping[str, Symbol]] = {}
+        self.macros: Names = {}
+        self.properties: Names = {}
+        self.arguments: Names = {}
+        self.parameters: list[tuple[Element, str, Mapping[str, Symbol]]] = []
+        """Of each macro with its name."""
+        self.local: dict[Element, Names] = {}
+        """Macro → the properties that end with it."""
         self.robot: list[tuple[str, Element | None, Symbol]] = []
         read = reading(document)
-        for macro in read.macros:
-            value = macro.element.attribute("name")
-            self.parameters[macro.element] = dict(_parameters(macro))
-            if value is not None and macro.name:
-                symbol = self.macros.setdefault(macro.name, _symbol("macro", macro.name, value))
-                self.taken.setdefault(symbol.key, self.parameters[macro.element])
+        for each in read.macros:
+            value = each.element.attribute("name")
+            self.parameters.append((each.element, each.name, dict(_parameters(each))))
+            if value is not None and each.name:
+                self.macros.setdefault(each.name, []).append(_symbol("macro", each.name, value))
         for found in read.properties:
             value = found.element.attribute("name")
             if value is None or not found.name:
                 continue
-            own = self.properties if found.macro is None else self.local.setdefault(found.macro, {})
-            own.setdefault(found.name, _symbol("property", found.name, value))
+            macro = None if found.lasts else found.macro
+            own = self.properties if macro is None else self.local.setdefault(macro, {})
+            own.setdefault(found.name, []).append(_symbol("property", found.name, value))
         for element, inside in read.elements:
             self._take(element, inside)
 
@@ -124,7 +128,8 @@ class Own:
         if element.name == "xacro:arg":
             value = element.attribute("name")
             if value is not None and value.text:
-                self.arguments.setdefault(value.text, _symbol("argument", value.text, value))
+                symbol = _symbol("argument", value.text, value)
+                self.arguments.setdefault(value.text, []).append(symbol)
             return
         for value, kinds, is_definition in namings(element):
             if is_definition:
@@ -135,13 +140,14 @@ class Known:
     """The symbols that a document can see, itself or in the robots that include it."""
 
     def __init__(self, visible: Iterable[Definitions]) -> None:
-        self.macros: dict[str, Symbol] = {}
-        self.properties: dict[str, Symbol] = {}
-        self.arguments: dict[str, Symbol] = {}
-        self.parameters: dict[Element, Mapping[str, Symbol]] = {}
-        self.taken: dict[tuple[str, int], Mapping[str, Symbol]] = {}
-        """Key of a macro → its parameters by their names."""
-        self.local: dict[Element, dict[str, Symbol]] = {}
+        self.macros: Names = {}
+        self.properties: Names = {}
+        self.arguments: Names = {}
+        self.taken: dict[str, Names] = {}
+        """Name of a macro → its parameters."""
+        self.parameters: dict[Element, Names] = {}
+        """Macro → its parameters, with those of other macros of its name."""
+        self.local: dict[Element, Names] = {}
         self.robot: dict[tuple[str, str], list[tuple[Element | None, Symbol]]] = {}
         self._patterns: dict[str, list[tuple[re.Pattern[str], int, Symbol]]] | None = None
         seen: set[Document] = set()
@@ -151,35 +157,49 @@ class Known:
                 self._add(read.document.view(Own))
 
     def _add(self, own: Own) -> None:
-        for name, symbol in own.macros.items():
-            self.macros.setdefault(name, symbol)
-        for name, symbol in own.properties.items():
-            self.properties.setdefault(name, symbol)
-        for name, symbol in own.arguments.items():
-            self.arguments.setdefault(name, symbol)
-        self.parameters.update(own.parameters)
+        pairs = (
+            (self.macros, own.macros),
+            (self.properties, own.properties),
+            (self.arguments, own.arguments),
+        )
+        for known, given in pairs:
+            for name, symbols in given.items():
+                known.setdefault(name, []).extend(symbols)
+        for macro, name, parameters in own.parameters:
+            taken = self.parameters[macro] = self.taken.setdefault(name, {})
+            for each, symbol in parameters.items():
+                taken.setdefault(each, []).append(symbol)
         self.local.update(own.local)
-        for kind, macro, symbol in own.robot:
-            self.robot.setdefault((kind, symbol.name), []).append((macro, symbol))
-        self.taken.update(own.taken)
+        for kind, inside, symbol in own.robot:
+            self.robot.setdefault((kind, symbol.name), []).append((inside, symbol))
+
+    @property
+    def groups(self) -> Iterator[list[Symbol]]:
+        """What has one name: all places that define it, by the first of which it is known."""
+        for names in (
+            self.macros,
+            self.properties,
+            self.arguments,
+            *self.taken.values(),
+            *self.local.values(),
+        ):
+            yield from names.values()
 
     def own(self, document: Document) -> Iterator[Occurrence]:
         """Where the document itself gives names to what belongs to xacro."""
-        every = [*self.macros.values(), *self.properties.values(), *self.arguments.values()]
-        for inner in (*self.parameters.values(), *self.local.values()):
-            every += inner.values()
-        for symbol in every:
-            if symbol.span.source is document.source:
-                yield Occurrence(symbol.span, symbol, True)
+        for symbols in self.groups:
+            for each in symbols:
+                if each.span.source is document.source:
+                    yield Occurrence(each.span, symbols[0], True)
 
     def word(self, name: str, macro: Element | None) -> Symbol | None:
         """The meaning of a word in an expression, inside a macro or outside."""
         while macro is not None:
             found = self.parameters.get(macro, {}).get(name) or self.local.get(macro, {}).get(name)
             if found is not None:
-                return found
+                return found[0]
             macro = next((each for each in macro.around if each.name == "xacro:macro"), None)
-        return self.properties.get(name)
+        return next(iter(self.properties.get(name, ())), None)
 
     def part(self, kinds: Iterable[str], text: str, macro: Element | None) -> Symbol | None:
         """The definition that a text names: that of the same text, in the same macro if there are several.
@@ -262,12 +282,10 @@ def _words(document: Document, known: Known) -> Iterator[Occurrence]:
             symbol = known.word(value.text, macro)
             if symbol is not None:
                 yield Occurrence(value.span, symbol)
-        called = known.macros.get(element.name[len(PREFIX) :]) if element.name.startswith(PREFIX) else None
-        if called is not None:
-            taken = known.taken.get(called.key, {})
-            for name in element.attributes:
-                if name in taken:
-                    yield Occurrence(spans.attribute_name(element, name), taken[name])
+        taken = known.taken.get(element.name[len(PREFIX) :], {}) if element.name.startswith(PREFIX) else {}
+        for name in element.attributes if taken else ():
+            if name in taken:
+                yield Occurrence(spans.attribute_name(element, name), taken[name][0])
 
 
 def _in_text(span: Span, macro: Element | None, known: Known, *, deep: bool = True) -> Iterator[Occurrence]:
@@ -277,10 +295,10 @@ def _in_text(span: Span, macro: Element | None, known: Known, *, deep: bool = Tr
     for match in matches(text):
         if match["command"] is not None:
             argument = _ARGUMENT.match(match["command"])
-            symbol = known.arguments.get(argument[1]) if argument else None
-            if argument and symbol is not None:
+            symbols = known.arguments.get(argument[1]) if argument else None
+            if argument and symbols is not None:
                 start = span.start + match.start("command") + argument.start(1)
-                yield Occurrence(span.source.span(start, start + len(argument[1])), symbol)
+                yield Occurrence(span.source.span(start, start + len(argument[1])), symbols[0])
         elif match["code"] is not None:
             for word in _WORD.finditer(match["code"]):
                 symbol = known.word(word[0], macro)

@@ -20,7 +20,7 @@ from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.sniff import Kind
+from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import is_expression
 from sdfcheck.xacro.language import matches
 
@@ -381,7 +381,7 @@ def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
                 continue
             span, name = steps(value)[0][0], value.text.strip()
             symbol = known.get((kind, name))
-            if symbol is not None or (kind != "group" and name and not is_expression(name)):
+            if symbol is not None or (name and not is_expression(name)):
                 yield Occurrence(span, symbol or Symbol(kind, name, span))
 
 
@@ -609,7 +609,9 @@ def _head(path: Path, semantics: Semantics) -> _Head | None:
         return None
     match = _ROBOT.search(data[:8192].decode("utf-8", "replace"))
     is_xacro = path.suffix == ".xacro" or b"<xacro:" in data
-    return None if match is None else _Head(match[1], Kind.XACRO if is_xacro else Kind.URDF, data)
+    if match is None or sniff(data[:HEAD], path) is Kind.SRDF:
+        return None
+    return _Head(match[1], Kind.XACRO if is_xacro else Kind.URDF, data)
 
 
 def _own_head(path: Path, semantics: Semantics) -> _Head | None:

@@ -210,11 +210,15 @@ def _vendor_names(root: Root) -> Iterator[Occurrence]:
                     yield Occurrence(value.span, definition.symbol)
 
 
-def name_refusal(kind: str, name: str) -> str | None:
-    """The reason why a part of a robot cannot have a name; None if it can."""
+def name_refusal(kind: str, former: str, name: str) -> str | None:
+    """The reason why a part of a robot cannot have another name; None if it can."""
     is_reserved = name == "world" or (name.startswith("__") and name.endswith("__"))
     if not name.strip() or name != name.strip() or "::" in name or is_reserved:
         return f"`{name}` cannot be the name of a {kind}"
+    if (kind, former) == ("link", "world"):
+        return (
+            "a link called `world` is the world to Gazebo, which would not hold the robot under another name"
+        )
     return None
 
 

@@ -184,6 +184,11 @@ class Property(Record):
     value: str | None
     macro: Element | None
 
+    @property
+    def lasts(self) -> bool:
+        """Is it known outside of the macro, too?"""
+        return self.macro is None or bool(self.element.attributes.get("scope"))
+
 
 class Call(Record):
     """A use of a macro."""

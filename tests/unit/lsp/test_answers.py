@@ -17,7 +17,7 @@ from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import everywhere, occurrences
 from sdfcheck.lsp.outline import Part, links, outline
-from sdfcheck.lsp.rename import Refused, rename
+from sdfcheck.lsp.rename import Refused, Target, rename
 from sdfcheck.lsp.speech import Speech
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
@@ -193,7 +193,7 @@ def test_names_that_cannot_be(name: str) -> None:
     named = occurrences(document).at(SDF.index('"arm"') + 1)
     assert named is not None
     with pytest.raises(Refused):
-        rename(workspace, document, named, name)
+        rename(workspace, document, Target(named, named.span), name)
 
 
 def test_the_world_is_not_renamed_where_it_is_called_world() -> None:

@@ -150,6 +150,78 @@ def test_renaming_both_of_two_branches(editor: Editor, tmp_path: Path) -> None:
     assert renamed(editor, path, '"tip"', 2, "hand") == {"robot.xacro": ["hand"] * 3}
 
 
+GIVEN_TWICE = """\
+  <xacro:arg name="big" default="false"/>
+  <xacro:if value="$(arg big)"><xacro:property name="size" value="2"/></xacro:if>
+  <xacro:unless value="$(arg big)"><xacro:property name="size" value="1"/></xacro:unless>
+  <xacro:macro name="load" params="k">
+    <xacro:if value="${k}"><xacro:property name="mass" value="2" scope="parent"/></xacro:if>
+    <xacro:unless value="${k}"><xacro:property name="mass" value="1" scope="parent"/></xacro:unless>
+    <xacro:property name="ratio" value="${mass * 2}" scope="global"/>
+  </xacro:macro>
+"""
+USING = """\
+  <xacro:macro name="body" params="n">
+    <xacro:load k="1"/>
+    <link name="${n}"><visual><geometry><box size="${mass} ${ratio} ${size}"/></geometry></visual></link>
+  </xacro:macro>
+  <xacro:body n="a"/>
+"""
+
+
+@pytest.mark.parametrize(
+    ("mark", "places"), [("size", 3), ("mass", 4), ("ratio", 2), ("big", 3), ("body", 2), ("n", 3)]
+)
+def test_what_is_defined_twice_or_lasts_has_one_name(
+    editor: Editor, tmp_path: Path, mark: str, places: int
+) -> None:
+    written(tmp_path, load=GIVEN_TWICE)
+    path = written(tmp_path, robot=f'<xacro:include filename="load.xacro"/>{USING}')
+    for file in ("load.xacro", "robot.xacro"):
+        text = (tmp_path / file).read_text()
+        found = [each for each in re.finditer(rf"(?<=[\"{{ :]){mark}(?=[\" }}*)])", text)]
+        for each in found:
+            after = renamed(editor, tmp_path / file, text[each.start() :], 0, "other")
+            assert isinstance(after, dict), after
+            assert sum(map(len, after.values())) == places, (file, each)
+    assert path.exists()
+
+
+def test_a_name_in_two_robots_that_include_one_file(editor: Editor, tmp_path: Path) -> None:
+    written(tmp_path, common='<xacro:property name="size" value="1"/>')
+    use = '<xacro:include filename="common.xacro"/><xacro:property name="size" value="{}"/><link name="${{size}}"/>'
+    path = written(tmp_path, b=use.format(2))
+    written(tmp_path, a=use.format(3), other='<xacro:property name="size" value="1"/><link name="${size}"/>')
+    expected = {"a.xacro": ["width"] * 2, "b.xacro": ["width"] * 2, "common.xacro": ["width"]}
+    for file in ("a.xacro", "b.xacro", "common.xacro"):
+        assert renamed(editor, tmp_path / file, '"size"', 1, "width") == expected
+    assert path.exists()
+
+
+def test_the_link_that_is_the_world_keeps_its_name(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, robot='<link name="world"/>')
+    assert "is the world to Gazebo" in renamed(editor, path, '"world"', 1, "earth")
+    (tmp_path / "r.urdf").write_text('<robot name="r"><link name="world"/></robot>')
+    assert "is the world to Gazebo" in renamed(editor, tmp_path / "r.urdf", '"world"', 1, "earth")
+
+
+def test_an_argument_that_a_launch_file_gives_keeps_its_name(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "r.launch").write_text(
+        '<launch><param name="d" command="xacro $(find p)/robot.xacro side:=r"/></launch>'
+    )
+    ask = '<xacro:arg name="{0}" default="l"/><link name="$(arg {0})"/>'
+    path = written(tmp_path, robot=ask.format("side") + ask.format("end"))
+    assert renamed(editor, path, '"end"', 1, "tip") == {"robot.xacro": ["tip", "tip"]}
+    assert "`side` is given to robot.xacro from outside" in renamed(editor, path, '"side"', 1, "hand")
+
+
+def test_an_argument_that_the_configuration_gives_keeps_its_name(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "sdfcheck.toml").write_text('[xacro]\n"robot.xacro" = [{ side = "r" }]\n')
+    path = written(tmp_path, robot='<xacro:arg name="side" default="l"/><link name="$(arg side)"/>')
+    assert "`side` is given to robot.xacro from outside" in renamed(editor, path, '"side"', 1, "hand")
+
+
 def test_renaming_is_refused_where_more_would_change(editor: Editor, tmp_path: Path) -> None:
     wheel = '<xacro:macro name="w" params="n"><link name="${n}"/><joint name="${n}_joint" type="fixed"/></xacro:macro>'
     robot = f'{wheel}<xacro:w n="a"/><gazebo reference="a"/>'
@@ -172,6 +244,28 @@ def test_semantics_follow_the_robot(editor: Editor, tmp_path: Path) -> None:
     assert after == {"arm.xacro": ["${prefix}hand", "${prefix}hand"], "r.srdf": ["l_hand"]}
     after = renamed(editor, tmp_path / "r.srdf", '"arm"', 2, "all")
     assert after == {"r.srdf": ["all", "all"]}
+    buffer = editor.open(tmp_path / "r.srdf", (tmp_path / "r.srdf").read_text())
+    place = editor.place(buffer, buffer.source.text.index("l_tip"))
+    ready = editor.answers.prepared(buffer, types.PrepareRenameParams(**place))
+    assert isinstance(ready, types.PrepareRenamePlaceholder)
+    assert ready.placeholder == "l_tip"
+
+
+def test_semantics_made_with_xacro_rename_what_the_robot_defines(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "r.urdf").write_text(PLAIN)
+    group = '<group name="hand"><link name="tip"/></group>'
+    apart = '<disable_collisions link1="base" link2="base" reason="Never"/>'
+    part = f'<xacro:macro name="hand">{group}{apart}</xacro:macro>'
+    path = written(tmp_path, hand=part)
+    alone = editor.open(path, path.read_text())
+    place = editor.place(alone, alone.source.text.index('"tip"') + 1)
+    found = editor.answers.definition(alone, types.DefinitionParams(**place))
+    assert isinstance(found, types.Location)
+    assert found.uri.endswith("r.urdf")
+    whole = f'{HEAD}<xacro:include filename="hand.xacro"/><xacro:hand/></robot>'
+    (tmp_path / "r.srdf.xacro").write_text(whole)
+    assert renamed(editor, path, '"tip"', 1, "end") == {"hand.xacro": ["end"], "r.urdf": ["end", "end"]}
 
 
 SEMANTICS = """\
