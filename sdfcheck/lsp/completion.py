@@ -18,6 +18,7 @@ from sdfcheck.formats.vendor.definitions import Place, Slot, Vendor
 from sdfcheck.formats.vendor.table import vendors
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lsp.context import (
+    MARKUP,
     Context,
     Item,
     Snippet,
@@ -143,6 +144,7 @@ _MACRO_TAG = re.compile(
 _PARAMETERS = re.compile(r"\sparams\s*=\s*([\"'])(.*?)\1", re.DOTALL)
 _DECLARED = re.compile(r"<xacro:arg\b[^<>]*?\sname\s*=\s*[\"']([\w.-]+)[\"']")
 _INCLUDED = re.compile(r"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"']([^\"'<>]+)[\"']")
+_PLUGIN = re.compile(r"<plugin\b([^<>]*[^<>/])>(.*?)</plugin", re.DOTALL)
 _FILENAME = re.compile(r"filename\s*=\s*[\"']([^\"']+)[\"']")
 
 
@@ -266,18 +268,58 @@ def _carried(around: tuple[str, ...], given: set[str], vendors: Sequence[Vendor]
                 yield Item(tag.name, Sort.ATTRIBUTE, without_stops(snippet), snippet, table.name, 7)
 
 
-def parameter_items(text: str, around: tuple[str, ...], offset: int) -> Iterator[Item]:
-    """The parameters of the plugin that is around a place, in all generations of Gazebo."""
+class Plugins:
+    """The elements that plugins hold in the files of a project, by the files of the plugins."""
+
+    def __init__(self, packages: Packages) -> None:
+        self._by_file: dict[str, list[tuple[Path, tuple[str, ...]]]] = {}
+        for suffix in (".sdf", ".world", ".urdf", ".xacro"):
+            for path in packages.files(suffix, FILE_LIMIT):
+                for file, names in _held(text_of(path)):
+                    self._by_file.setdefault(file, []).append((path, names))
+
+    def shares(self, file: str, path: Path, text: str, offset: int) -> dict[str, float]:
+        """In how many of the plugins of a file each element is; in an open text all but the one around a place."""
+        around = (
+            text[: text.rfind("<plugin", 0, offset)],
+            text[max(text.find("</plugin", offset), offset) :],
+        )
+        own = [names for part in around for each, names in _held(part) if each == file]
+        held = [*own, *(names for other, names in self._by_file.get(file, ()) if other != path)]
+        counts = Counter(name for names in held for name in set(names))
+        return {name: number / len(held) for name, number in counts.items()}
+
+
+def _held(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """The file of each plugin in a text, and the names of its child elements."""
+    for found in _PLUGIN.finditer(text):
+        file, names, depth = _FILENAME.search(found[1]), [], 0
+        for tag in MARKUP.finditer(found[2]):
+            if depth == 0 and tag["start"]:
+                names.append(tag["start"])
+            depth += bool(tag["start"] and not tag["empty"]) - bool(tag["end"])
+        if file is not None:
+            yield plugins.stem(file[1]), tuple(names)
+
+
+def plugin_around(text: str, around: tuple[str, ...], offset: int) -> str:
+    """The file of the plugin that is around a place, empty if there is none."""
     if not around or around[-1] != "plugin":
-        return
+        return ""
     opening = text.rfind("<plugin", 0, offset)
-    name = _FILENAME.search(text, opening, text.find(">", opening, offset) + 1 or offset)
-    for facts in plugins.known(name[1]) if name is not None else ():
+    found = _FILENAME.search(text, opening, text.find(">", opening, offset) + 1 or offset)
+    return "" if found is None else plugins.stem(found[1])
+
+
+def parameter_items(file: str, seen: Iterable[str]) -> Iterator[Item]:
+    """The parameters of a plugin, in all generations of Gazebo, and those that it has elsewhere."""
+    for facts in plugins.known(file):
         for parameter in sorted(facts.parameters):
             snippet = f"{parameter}>$1</{parameter}>"
             rank = 1 if parameter in facts.required else 3
             item = Item(parameter, Sort.ELEMENT, without_stops(snippet), snippet, facts.generation, rank)
             yield item._replace(is_repeatable=parameter in facts.repeatable)
+    yield from seen_items(seen, "in this project")
 
 
 def seen_items(names: Iterable[str], detail: str) -> Iterator[Item]:
@@ -782,7 +824,9 @@ class Order:
         is_top = "<group" in text and context.around == ("robot",)
         holder = [""] if is_top else _holder(text, context, offset)
         self.words = words_in(" ".join(holder))
-        self.others = set(holder[1:])
+        self.others, self.related = set(holder[1:]), set[str]()
+        if place == "pose@relative_to":
+            self.others, self.related = {holder[0]}, self.others | _joints_to(text, holder[0])
         self.place = place
         self.is_semantic = "<group" in text and place in _SEMANTIC
         self.is_once = place in _ONCE or context.attribute == "link2"
@@ -806,6 +850,7 @@ class Order:
         score -= _OF_LINKS.get(self.place, 0.0) * (item.detail == "joint")
         score += 0.6 * bool(self.children and name not in self.children)  # a root has many children
         score += (name, "") in self.last_child  # parts hang on one another
+        score += name in self.related
         score -= 2 * ("$" in name and not self.is_written)
         if not self.is_semantic:
             score += 1.5 / (1 + self.ranks[self.places[name]])
@@ -821,6 +866,9 @@ class Order:
 
 
 _CHILD = re.compile(r"<child(?:\s+link\s*=\s*[\"']([^\"']+)[\"']|\s*>\s*([^<>\s]+))")
+_JOINT = re.compile(
+    r"<joint\s[^<>]*?\bname\s*=\s*[\"']([^\"'<>]+)[\"'](?:(?!</joint).)*?<child>\s*([^<>\s]+)", re.DOTALL
+)
 _OF_LINKS = {"parent": 3.0, "child": 3.0, "gazebo@reference": 1.0}
 """Where joints can be named, but hardly are."""
 _ONCE = frozenset({"child@link", "child"})
@@ -842,6 +890,11 @@ def _holder(text: str, context: Context, offset: int) -> list[str]:
     found = re.search(r"\sname\s*=\s*[\"']([^\"']*)[\"']", own)
     others = re.findall(r"(?:link\d?|reference)\s*=\s*[\"']([^\"']+)[\"']|<(?:parent|child)>([^<]+)<", own)
     return [found[1] if found else "", *(a or b.strip() for a, b in others)]
+
+
+def _joints_to(text: str, link: str) -> set[str]:
+    """The joints that move a link: it is often placed where they are."""
+    return {joint for joint, child in _JOINT.findall(text) if child == link}
 
 
 def _block(text: str, context: Context, offset: int) -> str:
@@ -879,7 +932,8 @@ def _in_scope(scope: Namespace, kinds: tuple[str, ...], context: Context) -> Ite
     for name in scope.names():
         node = scope.resolve(name)
         if node is not None and node.kind in kinds and name != own and node.kind in _NODES:
-            yield Item(name, Sort.NAME, name, detail=node.kind, rank=2 + name.count("::"))
+            rank = 5 if name.startswith("_merged__") else 2 + name.count("::")  # libsdformat's own names
+            yield Item(name, Sort.NAME, name, detail=node.kind, rank=rank)
     if context.attribute in _OWN_FRAMES and scope.kind == "model":
         yield Item("__model__", Sort.NAME, "__model__", detail="the model's own frame", rank=4)
     if context.tag in {"parent", "child"} or scope.kind == "world":
@@ -981,6 +1035,8 @@ class _Completer:
         self.version = (Version.parse(version[1]) if version else None) or NEWEST
         self.parameters: list[Item] = []
         """Those of the plugin around the place."""
+        self.held: Mapping[str, float] = {}
+        """How often such plugins have each of them."""
         self._usage: Usage | None = None
 
     @property
@@ -1049,8 +1105,13 @@ class _Completer:
             found += semantic_elements(around)
         else:
             found += element_items(around, self.version, self.vendors)
-        self.parameters = [*parameter_items(self.buffer.source.text, around, self.offset)]
-        found += self.parameters
+        plugin = plugin_around(self.buffer.source.text, around, self.offset)
+        if plugin:
+            library, path = self.workspace.library(self.buffer.path), self.buffer.path
+            every = library.of_project(path, Plugins)
+            self.held = every.shares(plugin, path, self.buffer.source.text, self.offset)
+            self.parameters = [*parameter_items(plugin, self.held)]
+            found += self.parameters
         is_known = bool(found)
         if self.is_xacro and around:
             macros = self.macros
@@ -1075,7 +1136,8 @@ class _Completer:
         present = {*self.usage.before, *self.usage.after}
         needed = {item.label for item in unique.values() if item.rank == 1 and item.label not in present}
         read = {item.label for item in self.parameters} - present
-        more = ((name, score + (name in needed) + (name in read)) for name, score in scores.items())
+        own = {name: (name in needed) + (name in read) + self.held.get(name, 0.0) for name in scores}
+        more = ((name, score + own[name]) for name, score in scores.items())
         return _ordered(unique.values(), dict(more))
 
     def _open_macros(self) -> list[str]:
@@ -1101,9 +1163,11 @@ class _Completer:
             own = words_in(name)
             alike = len(own & near) / max(1, len(own | near))
             yield name, scores[name] + share * (0.4 * (name in new) / max(1, len(new)) + 0.1 * alike)
+        opening = self.buffer.source.text.rfind("<", 0, self.offset)
+        is_other = self.buffer.source.text[:opening].rstrip().endswith("</xacro:if>")
         for name, often in _KEYWORDS.items():
             if name in scores:
-                yield name, scores[name] + share * often
+                yield name, scores[name] + share * (often + 0.5 * (is_other and name == "xacro:unless"))
 
     def _with_end(self, items: list[Item]) -> list[Item]:
         if self.written:

@@ -15,7 +15,7 @@ from sdfcheck.source.record import NamedTuple
 # Where somebody is typing, known by the text before the cursor alone: it may be broken anywhere.
 
 
-_MARKUP = re.compile(
+MARKUP = re.compile(
     r"<!--[\s\S]*?-->|<!\[CDATA\[[\s\S]*?\]\]>|<\?[\s\S]*?\?>"
     r"|</(?P<end>[^\s<>]*)[^<>]*>"
     r"|<(?P<start>[^\s/<>!?\"']+)(?:[^<>\"'/]|\"[^\"<]*\"|'[^'<]*'|/(?!>))*(?P<empty>/)?>"
@@ -76,7 +76,7 @@ class Checkpoints:
             number -= 1
         end, known = self._known[number]
         stack, noted = list(known), end
-        for match in _MARKUP.finditer(text, end, offset):
+        for match in MARKUP.finditer(text, end, offset):
             _take(match, stack)
             end = match.end()
             if end - noted > _SPACING and number == len(self._known) - 1:

@@ -345,7 +345,7 @@ def _found(document: Document) -> Iterator[Occurrence]:
 
 
 def known_in(document: Document) -> Known:
-    """What a document and the robots that include it define."""
+    """The names that a document and the robots that include it define."""
     return document.view(_known_in)
 
 
@@ -503,7 +503,7 @@ def names_at(one: Expanded, span: Span) -> list[Key]:
 def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list[Occurrence]:
     """Every place where a symbol is named: in a document, in the file that defines it, and in their project.
 
-    What several files define under one name, one of them knows by the one and another by the other definition.
+    A name that several files define is known by one definition in one of them, and by another in another.
     """
     documents = list(_documents(workspace, document, symbol))
     groups = [

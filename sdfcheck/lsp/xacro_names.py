@@ -175,7 +175,7 @@ class Known:
 
     @property
     def groups(self) -> Iterator[list[Symbol]]:
-        """What has one name: all places that define it, by the first of which it is known."""
+        """All places that define one name, by the first of which it is known."""
         for names in (
             self.macros,
             self.properties,

@@ -13,7 +13,7 @@ from sdfcheck.convert.result import Conversion
 from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import occurrences
-from sdfcheck.lsp.rename import rename
+from sdfcheck.lsp.rename import Target, rename
 from sdfcheck.lsp.workspace import Buffer, Choices, Workspace
 from sdfcheck.source.splice import replaced
 
@@ -214,7 +214,7 @@ class Editor:
     def renamed(self, name: str) -> str:
         named = occurrences(self.document).at(self.offset)
         assert named is not None
-        edits = rename(self.workspace, self.document, named, name)
+        edits = rename(self.workspace, self.document, Target(named, named.span), name)
         return replaced(self.text, [(edit.span.start, edit.span.end, edit.text) for edit in edits])
 
 

@@ -19,7 +19,7 @@ from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover, signature
 from sdfcheck.lsp.names import occurrences
 from sdfcheck.lsp.outline import folds, links, outline
-from sdfcheck.lsp.rename import Refused, rename
+from sdfcheck.lsp.rename import Refused, Target, rename
 from sdfcheck.lsp.speech import Change, Place, Units, changed, offset_of, place_of
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.source.document import Document
@@ -145,7 +145,7 @@ def rename_at(workspace: Workspace, path: Path, offset: int, name: str) -> list[
     assert document is not None
     occurrence = occurrences(document).at(offset)
     assert occurrence is not None
-    return rename(workspace, document, occurrence, name)
+    return rename(workspace, document, Target(occurrence, occurrence.span), name)
 
 
 def own(edits: list[TextEdit], path: Path) -> list[tuple[int, int, str]]:

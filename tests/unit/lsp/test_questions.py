@@ -172,14 +172,12 @@ USING = """\
 @pytest.mark.parametrize(
     ("mark", "places"), [("size", 3), ("mass", 4), ("ratio", 2), ("big", 3), ("body", 2), ("n", 3)]
 )
-def test_what_is_defined_twice_or_lasts_has_one_name(
-    editor: Editor, tmp_path: Path, mark: str, places: int
-) -> None:
+def test_names_that_are_defined_twice_or_last(editor: Editor, tmp_path: Path, mark: str, places: int) -> None:
     written(tmp_path, load=GIVEN_TWICE)
     path = written(tmp_path, robot=f'<xacro:include filename="load.xacro"/>{USING}')
     for file in ("load.xacro", "robot.xacro"):
         text = (tmp_path / file).read_text()
-        found = [each for each in re.finditer(rf"(?<=[\"{{ :]){mark}(?=[\" }}*)])", text)]
+        found = list(re.finditer(rf"(?<=[\"{{ :]){mark}(?=[\" }}*)])", text))
         for each in found:
             after = renamed(editor, tmp_path / file, text[each.start() :], 0, "other")
             assert isinstance(after, dict), after
@@ -220,6 +218,48 @@ def test_an_argument_that_the_configuration_gives_keeps_its_name(editor: Editor,
     (tmp_path / "sdfcheck.toml").write_text('[xacro]\n"robot.xacro" = [{ side = "r" }]\n')
     path = written(tmp_path, robot='<xacro:arg name="side" default="l"/><link name="$(arg side)"/>')
     assert "`side` is given to robot.xacro from outside" in renamed(editor, path, '"side"', 1, "hand")
+
+
+SCENE = """\
+<sdf version="1.9"><model name="m">
+  <link name="body"/><link name="wheel"><pose relative_to="axle"/></link>
+  <joint name="steer" type="revolute"><parent>body</parent><child>body</child></joint>
+  <joint name="axle" type="revolute"><parent>body</parent><child>wheel</child><pose relative_to="body"/></joint>
+  <plugin name="a" filename="libmine.so"><|</plugin>
+</model></sdf>
+"""
+
+
+@pytest.mark.parametrize(
+    ("removed", "expected"), [('relative_to="axle', "axle"), ('relative_to="body', "body")]
+)
+def test_poses_are_relative_to_what_moves_a_link_or_carries_a_joint(
+    editor: Editor, tmp_path: Path, removed: str, expected: str
+) -> None:
+    place = SCENE.index(removed) + len(removed) - len(expected)
+    text = SCENE.replace("<|", "")
+    buffer = editor.open(tmp_path / "m.sdf", text[:place] + text[place + len(expected) :])
+    assert complete(editor.workspace, buffer, place).items[0].label == expected
+
+
+def test_a_plugin_is_suggested_what_it_holds_elsewhere(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    plugin = '<plugin name="b" filename="mine"><gain>1</gain><deep><inner/></deep></plugin>'
+    other = f'<sdf><world name="w">{plugin}</world></sdf>'
+    (tmp_path / "other.sdf").write_text(other)
+    place = SCENE.index("<|") + 1
+    buffer = editor.open(tmp_path / "m.sdf", SCENE.replace("<|", "<"))
+    labels = [item.label for item in complete(editor.workspace, buffer, place).items]
+    assert set(labels[:2]) == {"gain", "deep"}
+    assert "inner" not in labels
+
+
+def test_the_other_branch_follows_a_condition(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, robot='<xacro:if value="1"><link name="a"/></xacro:if>\n<xacro:|')
+    text = path.read_text()
+    place = text.index("|")
+    buffer = editor.open(path, text.replace("|", ""))
+    assert complete(editor.workspace, buffer, place).items[0].label == "xacro:unless"
 
 
 def test_renaming_is_refused_where_more_would_change(editor: Editor, tmp_path: Path) -> None:
