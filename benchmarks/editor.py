@@ -27,7 +27,7 @@ from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.names import roots_of
 from sdfcheck.lsp.rename import Refused
-from sdfcheck.lsp.speech import Speech, Units, path_of
+from sdfcheck.lsp.speech import ProtocolTypes, Units, path_of
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.errors import DescriptionError
@@ -172,7 +172,7 @@ class Editor:
     def __init__(self) -> None:
         self.workspace = Workspace()
         self.findings = Findings(self.workspace)
-        self.speech = Speech(self.workspace)
+        self.speech = ProtocolTypes(self.workspace)
         self.speech.units = Units.UTF32
         self.answers = Answers(self.workspace, self.findings, self.speech)
 

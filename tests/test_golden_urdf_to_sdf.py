@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.convert.command import Reader, Source
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options, PackageUris
 from sdfcheck.formats.version import Version
@@ -39,7 +39,7 @@ def test_there_are_cases() -> None:
 @pytest.mark.parametrize("case", sorted(CASES.iterdir()), ids=lambda case: case.name)
 def test_conversion(case: Path, request: pytest.FixtureRequest) -> None:
     (source,) = case.glob("input.*")
-    with Reader(Around(Configuration(isolated=True)), lint=False) as consumer:
+    with Reader(SearchContext(Configuration(isolated=True)), lint=False) as consumer:
         document = consumer.read(Source(source), {Kind.URDF: "URDF"}).document
     assert document is not None
     done = urdf_to_sdf(document, options_of(case))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Reaction
 from sdfcheck.lint.config.configuration import Configuration
@@ -46,7 +46,7 @@ def test_a_consumer_that_refuses_in_prose_does_so_in_an_example(code: str, tmp_p
     (rule,) = (rule for rule in RULES if rule.code == code)
     refused_by = {consumer for consumer in CLAIMING[code] if _is_in_the_table(rule, consumer)}
     for file in examples(tmp_path, [rule]):
-        for row in verdicts(file, tuple(Consumer), Around(Configuration(isolated=True))):
+        for row in verdicts(file, tuple(Consumer), SearchContext(Configuration(isolated=True))):
             own = (reason.reaction for reason in row.reasons if reason.diagnostic.code == code)
             if any(map(_refuses, own)):
                 refused_by.add(row.consumer)

@@ -232,7 +232,7 @@ class _Maker:
         fixed = {"bool": "true", "truth": "true", "vector3": slot.default or "0 0 1", "double": "0.4"}
         return fixed.get(slot.type, "g" if carrier == "@name" else "x")
 
-    # Around it
+    # SearchContext it
 
     def in_place(self, place: Place, text: str) -> str:
         return self.around(place.path, text)

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
+from sdfcheck.cli.parts.descriptions import (
+    SearchContext,
+    around,
+    check_arguments,
+    described,
+    load,
+    warn_if_broken,
+)
 from sdfcheck.cli.parts.options import colored, formatted, require_file, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import wants_color
@@ -74,7 +81,7 @@ def diff(**given: Any) -> int:
     return int(bool(found.changes) and request.exit_code and not request.exit_zero)
 
 
-def _compare(request: Request, around: Around) -> FileDifference:
+def _compare(request: Request, around: SearchContext) -> FileDifference:
     from sdfcheck.convert.file_difference import compare_files
     from sdfcheck.robot.motion.origin import PoseError
 

@@ -9,7 +9,7 @@ import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import (
-    Around,
+    SearchContext,
     around,
     check_arguments,
     chosen_arguments,
@@ -55,7 +55,7 @@ def expand(file: Path, annotate: bool, output_file: Path | None, **given: Any) -
     return 0
 
 
-def _expand(file: Path, around: Around) -> tuple[Document, Expansion]:
+def _expand(file: Path, around: SearchContext) -> tuple[Document, Expansion]:
     """Expand with what the command line and the configuration say; the command line has the last word."""
     settings = around.settings_for(file)
     with expander_for(settings) as expander:

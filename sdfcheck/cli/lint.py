@@ -15,7 +15,6 @@ from sdfcheck.cli.parts.descriptions import ARGUMENT, arguments_in, check_argume
 from sdfcheck.cli.parts.options import PATH, colored, configured, path, reported, settable, taken, written
 from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.progress import Notifier, Progress
-from sdfcheck.cli.parts.shown import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import (
     emit,
     emit_lines,
@@ -26,6 +25,7 @@ from sdfcheck.cli.parts.terminal import (
     wants_links,
     width_of,
 )
+from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.lint.config.settings import GIVEN
 from sdfcheck.lint.parallel import run_in_parallel
 from sdfcheck.lint.session import Options, find, selected

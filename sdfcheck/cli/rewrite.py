@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 
 from sdfcheck.cli.parts.output import deliver
-from sdfcheck.cli.parts.shown import Request
 from sdfcheck.cli.parts.terminal import emit, say
+from sdfcheck.cli.parts.view_options import Request
 from sdfcheck.files.overwrite import Refused, overwrite
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.diagnostic import counted

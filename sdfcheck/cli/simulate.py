@@ -13,8 +13,8 @@ from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
 from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
 from sdfcheck.cli.parts.output import FORMATS, outputs, refuse_to_write, write
-from sdfcheck.cli.parts.shown import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.consumers.engines import SIMULATORS as ENGINES
 from sdfcheck.consumers.engines import Engine, Limits, is_installed
 from sdfcheck.convert.simulation import MissingEngine, Settings
@@ -89,7 +89,7 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     wanted = outputs(output_format or ("full",), output_file)
     refuse_to_write([output.file for output in wanted], [file])
     engines = _engines(simulators)
-    from sdfcheck.convert.soundness import refuse_broken
+    from sdfcheck.convert.new_errors import refuse_broken
 
     document = load(file, surroundings)
     refuse_broken(document)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load
+from sdfcheck.cli.parts.descriptions import SearchContext, around, check_arguments, described, load
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
@@ -90,7 +90,7 @@ def _json(file: Path, rows: Sequence[Row], real: Mapping[Consumer, Answer]) -> s
     return json.dumps({"version": VERSION, "file": file.as_posix(), "consumers": records}, indent=2) + "\n"
 
 
-def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple[Row, ...]:
+def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -> tuple[Row, ...]:
     """Lint a file with everything that the rules know about some consumers.
 
     Raises: WrongUsage: it cannot be read, or is not a robot description.
@@ -115,7 +115,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: Around) -> tuple
     return matrix(done, kind, file, consumers)
 
 
-def asked(file: Path, rows: Sequence[Row], around: Around, seconds: float) -> dict[Consumer, Answer]:
+def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float) -> dict[Consumer, Answer]:
     """The consumers' own answers, of those that know the format; xacro is expanded for them."""
     from sdfcheck.consumers.engines import RUN_BY, Answer, Limits, Outcome, ask
     from sdfcheck.consumers.engines.staging import Stage

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import Around, around, check_arguments, described, load, warn_if_broken
+from sdfcheck.cli.parts.descriptions import (
+    SearchContext,
+    around,
+    check_arguments,
+    described,
+    load,
+    warn_if_broken,
+)
 from sdfcheck.cli.parts.options import PATH, require_file, written
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
@@ -53,7 +60,7 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
     return 0
 
 
-def _page(files: list[Path], documents: list[Document], surroundings: Around) -> str:
+def _page(files: list[Path], documents: list[Document], surroundings: SearchContext) -> str:
     from sdfcheck.view.meshes import Meshes
     from sdfcheck.view.notes import differences, findings
     from sdfcheck.view.page import page
@@ -71,7 +78,7 @@ def _page(files: list[Path], documents: list[Document], surroundings: Around) ->
     )
 
 
-def _linted(file: Path, surroundings: Around) -> Run:
+def _linted(file: Path, surroundings: SearchContext) -> Run:
     from sdfcheck.lint.session import Options, run
 
     return run([file], Options(**surroundings._asdict()))

@@ -9,8 +9,8 @@ import numpy as np
 
 from sdfcheck.convert.file_difference import compare_files
 from sdfcheck.convert.migrate.migrate import written_out
+from sdfcheck.convert.new_errors import refuse_broken
 from sdfcheck.convert.result import with_text
-from sdfcheck.convert.soundness import refuse_broken
 from sdfcheck.convert.writer import number, render
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema

@@ -16,7 +16,16 @@ from typing import Any
 import numpy as np
 
 from sdfcheck.convert.loss import Loss, LossKind
-from sdfcheck.convert.matching import Names, Shapes, carriers, filled, reframed, same_names, same_pose, seat
+from sdfcheck.convert.matching import (
+    Names,
+    Shapes,
+    carriers,
+    filled,
+    pose_in_parent,
+    reframed,
+    same_names,
+    same_pose,
+)
 from sdfcheck.convert.settings_tree import (
     Contents,
     Divergence,
@@ -639,8 +648,8 @@ class _Changes:
     # Links
 
     def link(self, a: Link, b: Link) -> Iterator[Change]:
-        parent, here = seat(self.a, a.name, self.carried_by[0])
-        other_parent, there = seat(self.b, b.name, self.carried_by[1])
+        parent, here = pose_in_parent(self.a, a.name, self.carried_by[0])
+        other_parent, there = pose_in_parent(self.b, b.name, self.carried_by[1])
         if a.name in self.moved:
             yield self.changed("link", b.name, "frame", *pose_texts(np.eye(4), self.moved[a.name]))
         if self.names.links.get(parent, parent) != other_parent:

@@ -122,7 +122,7 @@ def carriers(robot: Mechanism) -> dict[str, str]:
     return found
 
 
-def seat(robot: Mechanism, name: str, carried_by: Mapping[str, str]) -> tuple[str, Array]:
+def pose_in_parent(robot: Mechanism, name: str, carried_by: Mapping[str, str]) -> tuple[str, Array]:
     """The link that carries a link, empty for none, and the 4×4 pose in it or in the model."""
     pose, parent = robot.links[name].pose, carried_by.get(name, "")
     return parent, inverse(robot.links[parent].pose) @ pose if parent else pose
@@ -208,7 +208,9 @@ def _numbers(shape: Geometry) -> list[float]:
 def _pair_links(a: Mechanism, b: Mechanism, links: dict[str, str], tolerance: float) -> None:
     """Add the links that have another name and are alike, from parents to children, to those that are known."""
     seats = [
-        {name: seat(robot, name, up) for name in robot.links} for robot in (a, b) for up in [carriers(robot)]
+        {name: pose_in_parent(robot, name, up) for name in robot.links}
+        for robot in (a, b)
+        for up in [carriers(robot)]
     ]
     taken = set(links.values())
     below: tuple[dict[str, list[str]], ...] = ({}, {})
@@ -344,7 +346,7 @@ class _Search:
         theirs = _shifted(other, shift)
         count = int(not _same_pose_body(link.body, theirs.body, self.tolerance))
         count += _unmatched(link.geometries, theirs.geometries, self.tolerance)
-        parent, here = seat(self.a, name, self.carried_by[0])
+        parent, here = pose_in_parent(self.a, name, self.carried_by[0])
         other_parent = self.carried_by[1].get(other.name, "")
         if parent and self.names.links.get(parent) == other_parent and parent in self.shifts:
             above = self.b.links[other_parent].pose @ inverse(self.shifts[parent])

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from sdfcheck.convert.comparison import Correspondence, SettingsProof, Verification, verify
 from sdfcheck.convert.loss import Loss, LossKind, loss_at
+from sdfcheck.convert.new_errors import guess_in
 from sdfcheck.convert.settings_tree import Contents, Divergence
-from sdfcheck.convert.soundness import guess_in
 from sdfcheck.files.uris import file_path, scheme_of
 from sdfcheck.robot.motion.mechanism import Mechanism
 from sdfcheck.robot.root import root_of

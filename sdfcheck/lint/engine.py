@@ -41,7 +41,7 @@ _ANALYSES = {
     Kind.SDF: (
         "sdfcheck.formats.sdf.survey:problems",
         "sdfcheck.formats.sdf.structure:structure_problems",
-        "sdfcheck.robot.includes.gate:problems",
+        "sdfcheck.robot.includes.lazy_problems:problems",
     ),
     Kind.URDF: (
         "sdfcheck.formats.urdf.survey:problems",

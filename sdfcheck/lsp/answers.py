@@ -23,7 +23,7 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import LARGEST, definitions, occurrences, project_files, references
 from sdfcheck.lsp.outline import Maker, Part, folds, links, outline, target_of
 from sdfcheck.lsp.rename import Refused, Target, rename, target
-from sdfcheck.lsp.speech import NAME, Speech, Units, Written, place_of, plain
+from sdfcheck.lsp.speech import NAME, ProtocolTypes, Units, Written, place_of, plain
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.robot.naming.occurrences import Occurrence
 from sdfcheck.source.decode import decode
@@ -128,7 +128,7 @@ _Row = tuple[str, str, tuple[int, int], str]
 class Answers:
     """The answers of the server, request by request; all of it runs in the worker's thread."""
 
-    def __init__(self, workspace: Workspace, findings: Findings, speech: Speech) -> None:
+    def __init__(self, workspace: Workspace, findings: Findings, speech: ProtocolTypes) -> None:
         self.workspace = workspace
         self.findings = findings
         self.speech = speech

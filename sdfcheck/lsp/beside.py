@@ -23,7 +23,7 @@ from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lsp.actions import Robot, robot_of
 from sdfcheck.lsp.cursor import elements
 from sdfcheck.lsp.server import Server
-from sdfcheck.lsp.speech import Speech, path_of, plain
+from sdfcheck.lsp.speech import ProtocolTypes, path_of, plain
 from sdfcheck.lsp.worker import SURVEY, Schedule
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document
@@ -332,7 +332,7 @@ class Beside:
     def __init__(self, server: Server) -> None:
         self.server = server
         self.workspace: Workspace = server.robots
-        self.speech: Speech = server.speech
+        self.speech: ProtocolTypes = server.speech
         self.pages = Loopback()
         self._shown: dict[str, Shown] = {}
         self._builds = Schedule(self._build_anew, LONGEST)
@@ -514,7 +514,7 @@ def _is_of(source: Source, buffer: Buffer) -> bool:
 
 def _fault(robot: Robot) -> str:
     """Where the text is broken; empty for one that is not."""
-    from sdfcheck.convert.soundness import break_of
+    from sdfcheck.convert.new_errors import break_of
 
     span = break_of(robot.document)
     return "" if span is None else f"The text is broken in line {span.begin.line}"

@@ -20,7 +20,7 @@ from sdfcheck.lsp.cursor import Part, at, elements
 from sdfcheck.lsp.hover import Signature, names_around, signature, version_of
 from sdfcheck.lsp.names import everywhere, occurrences, project_files
 from sdfcheck.lsp.outline import Link, links
-from sdfcheck.lsp.speech import Speech, path_of, plain
+from sdfcheck.lsp.speech import ProtocolTypes, path_of, plain
 from sdfcheck.lsp.workspace import Buffer, Workspace
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.errors import DescriptionError, WrongUsage
@@ -342,7 +342,7 @@ class Impossible(Exception):
 class Edits:
     """The answers about edits, request by request; all of it runs in the worker's thread."""
 
-    def __init__(self, workspace: Workspace, speech: Speech) -> None:
+    def __init__(self, workspace: Workspace, speech: ProtocolTypes) -> None:
         self.workspace = workspace
         self.speech = speech
 

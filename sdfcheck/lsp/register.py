@@ -16,7 +16,7 @@ from sdfcheck.lsp.hints import KINDS
 from sdfcheck.lsp.rename import Refused
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import path_of, plain
-from sdfcheck.lsp.watch import Watch
+from sdfcheck.lsp.watch import FileWatch
 from sdfcheck.lsp.worker import ANSWER, OVERVIEW
 from sdfcheck.lsp.workspace import Buffer
 from sdfcheck.source.record import NamedTuple
@@ -40,7 +40,7 @@ def make_server() -> Server:
     """A server that answers everything that it can."""
     server = Server()
     answers = Answers(server.robots, server.findings, server.speech)
-    watch = Watch(server)
+    watch = FileWatch(server)
     _texts(server, watch)
     _diagnostics(server, answers)
     _knowledge(server, answers)
@@ -52,7 +52,7 @@ def make_server() -> Server:
     return server
 
 
-def _texts(server: Server, watch: Watch) -> None:
+def _texts(server: Server, watch: FileWatch) -> None:
     server.feature(types.TEXT_DOCUMENT_DID_OPEN)(_two(server.opened))
     server.feature(types.TEXT_DOCUMENT_DID_CHANGE)(_two(server.changed))
     server.feature(types.TEXT_DOCUMENT_DID_CLOSE)(_two(server.closed))

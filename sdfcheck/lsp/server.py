@@ -32,7 +32,7 @@ from sdfcheck.lsp.cursor import at
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import occurrences
-from sdfcheck.lsp.speech import NAME, Speech, Units, Written, changed, path_of
+from sdfcheck.lsp.speech import NAME, ProtocolTypes, Units, Written, changed, path_of
 from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Schedule, Worker
 from sdfcheck.lsp.workspace import Buffer, Choices, LiveCaches, Workspace
 from sdfcheck.release import __version__
@@ -215,7 +215,7 @@ class Server(LanguageServer):
         self.worker = Worker()
         self.robots = Workspace()
         self.findings = Findings(self.robots)
-        self.speech = Speech(self.robots)
+        self.speech = ProtocolTypes(self.robots)
         self.sweep = Sweep(self.robots)
         self.followers: list[Callable[[str], None]] = []
         """Called with the key of a text that has changed and was linted, or was closed."""

@@ -141,7 +141,7 @@ class Written:
         self.text = text
 
 
-class Speech:
+class ProtocolTypes:
     """The agreement of the client and the server: units, and the features of the client."""
 
     def __init__(self, workspace: Workspace) -> None:

@@ -35,7 +35,7 @@ _SHARE = 20
 """The pause is so many times as long as a look at very many files, or at very long paths, takes."""
 
 
-class Watch:
+class FileWatch:
     """Brings in what changes around the open texts."""
 
     def __init__(self, server: Server) -> None:

@@ -37,10 +37,10 @@ class Group(NamedTuple):
 def digest(run: Run, view: View) -> list[Group]:
     """The part of a run that a view shows, in the order of place."""
     shown = view.shown(run)
-    return folded(shown) if view.folds else list(map(Group, shown))
+    return grouped(shown) if view.folds else list(map(Group, shown))
 
 
-def folded(diagnostics: Iterable[Diagnostic]) -> list[Group]:
+def grouped(diagnostics: Iterable[Diagnostic]) -> list[Group]:
     """Those of one rule whose messages differ in names and numbers only make a group, if they are many."""
     by_shape: dict[tuple[str, Severity, str], list[Diagnostic]] = {}
     for each in diagnostics:

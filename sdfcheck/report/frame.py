@@ -8,7 +8,7 @@ from pathlib import Path
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.report.colors import INK_OF, Ink, Paint, linked
 from sdfcheck.report.paths import Paths
-from sdfcheck.report.table import folded
+from sdfcheck.report.table import wrapped
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 from sdfcheck.source.visible import cells, visible, width_of
@@ -130,7 +130,7 @@ def _underlines(row: list[_Stroke], view: _View, columns: Sequence[int], look: _
     yield text
     if label and not is_beside:
         indent = min(left, max(look.code - width_of(label), 2))
-        for part in folded(" " * indent + label, look.code, indent):
+        for part in wrapped(" " * indent + label, look.code, indent):
             yield " " * indent + look.paint(part[indent:], color)
 
 

@@ -19,13 +19,13 @@ _RESET = "\x1b[0m"
 
 
 def fitted(text: str, width: int | None) -> str:
-    """A report with the lines that are too long for so many cells folded; None: as it is."""
+    """A report with the lines that are too long for so many cells wrapped; None: as it is."""
     if width is None:
         return text
-    return "\n".join(part for line in text.split("\n") for part in folded(line, width))
+    return "\n".join(part for line in text.split("\n") for part in wrapped(line, width))
 
 
-def folded(line: str, width: int, indent: int | None = None) -> Iterator[str]:
+def wrapped(line: str, width: int, indent: int | None = None) -> Iterator[str]:
     """The parts of a line, those after the first indented a little more than it; colors go on.
 
     A text without spaces, such as a path, stays whole: a terminal wraps it, and it can be copied.

@@ -31,8 +31,20 @@ from sdfcheck.robot.naming.name import (
 from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, pick
 from sdfcheck.robot.resources import FileUse
 from sdfcheck.robot.shapes import Geometry, Material, Surface, as_array
-from sdfcheck.robot.solids import FITTING, INSIDE, LIGHT, NEAR, SOUND, Moments, Solid, soundness
-from sdfcheck.robot.values import MOMENTS, Number, Vector, is_true, lazy, number, parts, reference_of
+from sdfcheck.robot.solids import FITTING, INSIDE, LIGHT, NEAR, SOUND, Moments, Solid, quick_inertia
+from sdfcheck.robot.values import (
+    MOMENTS,
+    Number,
+    Vector,
+    given_text,
+    is_true,
+    lazy,
+    number,
+    parts,
+    reference_of,
+    vector,
+    word,
+)
 from sdfcheck.source.document import Element, Value
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
@@ -199,31 +211,31 @@ class Inertial(Part):
 
         Worked out quickly; False proves nothing.
         """
-        return bool(self._soundness & SOUND)
+        return bool(self._sure_facts & SOUND)
 
     @property
     def fits_shapes(self) -> bool:
         """Are they also near to those of the link's primitive shapes, axis by axis? False proves nothing."""
-        return bool(self._soundness & FITTING)
+        return bool(self._sure_facts & FITTING)
 
     @property
     def is_inside(self) -> bool:
         """Is the center of mass surely inside of a primitive shape? False proves nothing."""
-        return bool(self._soundness & INSIDE)
+        return bool(self._sure_facts & INSIDE)
 
     @property
     def is_light(self) -> bool:
         """Is the mass surely that of a material that fills its primitive shapes? False proves nothing."""
-        return bool(self._soundness & LIGHT)
+        return bool(self._sure_facts & LIGHT)
 
     @property
     def is_near(self) -> bool:
         """Are the moments surely at most twice those of a solid of its primitive shapes? False proves nothing."""
-        return bool(self._soundness & NEAR)
+        return bool(self._sure_facts & NEAR)
 
     @lazy
-    def _soundness(self) -> int:
-        return soundness(self.link.element) if self.is_given else 0
+    def _sure_facts(self) -> int:
+        return quick_inertia(self.link.element) if self.is_given else 0
 
 
 # Links.
@@ -900,10 +912,7 @@ class Joint(Node):
         text = self._text("type") or ""
         return text if self.is_urdf else text.strip().lower()
 
-    @property
-    def type_value(self) -> Value | None:
-        """The type with its place."""
-        return self.attribute("type")
+    type_value = given_text("type", "The type with its place.")
 
     @property
     def scope(self) -> Scope:
@@ -1330,25 +1339,13 @@ class Light(Part):
     __slots__ = ()
     kind = "light"
 
-    @property
-    def type(self) -> str:
-        """``point``, ``spot`` or ``directional``."""
-        return (self._text("type") or "point").strip()
+    type = word("type", "point", "``point``, ``spot`` or ``directional``.")
 
-    @property
-    def direction(self) -> Vector:
-        """Where it shines to."""
-        return self._vector("direction", (0.0, 0.0, -1.0))
+    direction = vector("direction", (0.0, 0.0, -1.0), "Where it shines to.")
 
-    @property
-    def diffuse(self) -> Vector:
-        """Red, green, blue, alpha."""
-        return self._vector("diffuse", (1.0, 1.0, 1.0, 1.0))
+    diffuse = vector("diffuse", (1.0, 1.0, 1.0, 1.0), "Red, green, blue, alpha.")
 
-    @property
-    def specular(self) -> Vector:
-        """Red, green, blue, alpha."""
-        return self._vector("specular", (0.1, 0.1, 0.1, 1.0))
+    specular = vector("specular", (0.1, 0.1, 0.1, 1.0), "Red, green, blue, alpha.")
 
     intensity = number("intensity", 1.0, "A factor.")
 
@@ -1423,15 +1420,9 @@ class Sensor(Part):
     __slots__ = ()
     kind = "sensor"
 
-    @property
-    def type(self) -> str:
-        """The type as written, without spaces around it."""
-        return (self._text("type") or "").strip()
+    type = word("type", "", "The type as written, without spaces around it.")
 
-    @property
-    def type_value(self) -> Value | None:
-        """The type with its place."""
-        return self.attribute("type")
+    type_value = given_text("type", "The type with its place.")
 
     @property
     def link(self) -> Link | None:
@@ -1600,15 +1591,9 @@ class Plugin(Part):
     __slots__ = ()
     kind = "plugin"
 
-    @property
-    def filename(self) -> str:
-        """The library as written, without spaces around it."""
-        return (self._text("filename") or "").strip()
+    filename = word("filename", "", "The library as written, without spaces around it.")
 
-    @property
-    def filename_value(self) -> Value | None:
-        """The library with its place."""
-        return self.attribute("filename")
+    filename_value = given_text("filename", "The library with its place.")
 
     @property
     def parameters(self) -> Iterator[Element]:
@@ -2082,10 +2067,7 @@ class ControlComponent(Part):
         """The parameters that say which joint it follows, as releases before jazzy read them."""
         return tuple(each for each in self.children("param") if each.attributes.get("name") == "mimic")
 
-    @property
-    def mimic_value(self) -> Value | None:
-        """Whether it follows another joint, where that is written here."""
-        return self.attribute("mimic")
+    mimic_value = given_text("mimic", "Whether it follows another joint, where that is written here.")
 
     @property
     def mimic(self) -> Mimic | None:
@@ -2149,10 +2131,7 @@ class ControlInterface(Part):
         """The value to begin with; nan where none is given."""
         return self._parameter("initial_value", math.nan)
 
-    @property
-    def data_type(self) -> str:
-        """The type of its values: ``double``, ``bool`` …"""
-        return (self._text("data_type") or "double").strip()
+    data_type = word("data_type", "double", "The type of its values: ``double``, ``bool`` …")
 
     @property
     def malformed(self) -> tuple[tuple[str, Number], ...]:
@@ -2229,10 +2208,7 @@ class Ros2Control(JointNames):
         """``system``, ``actuator`` or ``sensor``."""
         return self._text("type") or ""
 
-    @property
-    def type_value(self) -> Value | None:
-        """Its type with its place."""
-        return self.attribute("type")
+    type_value = given_text("type", "Its type with its place.")
 
     @property
     def hardware(self) -> Element | None:
@@ -2366,10 +2342,7 @@ class Physics(Part):
     __slots__ = ()
     kind = "physics"
 
-    @property
-    def type(self) -> str:
-        """The engine: ``ode``, ``bullet``, ``dart`` …"""
-        return (self._text("type") or "").strip()
+    type = word("type", "", "The engine: ``ode``, ``bullet``, ``dart`` …")
 
     @property
     def is_default(self) -> bool:
@@ -2391,10 +2364,7 @@ class State(Part):
         """The world that it is a state of."""
         return self.holder if isinstance(self.holder, Scope) and self.holder.kind == "world" else None
 
-    @property
-    def world_value(self) -> Value | None:
-        """The name of the world that it writes, with its place."""
-        return self.attribute("world_name")
+    world_value = given_text("world_name", "The name of the world that it writes, with its place.")
 
     @lazy
     def unresolved(self) -> tuple[UnknownName, ...]:
@@ -3071,10 +3041,7 @@ class GazeboBlock(Part):
         """The name of the link or joint that it is about; empty for the robot."""
         return self._text("reference") or ""
 
-    @property
-    def reference_value(self) -> Value | None:
-        """The reference with its place."""
-        return self.attribute("reference")
+    reference_value = given_text("reference", "The reference with its place.")
 
     @lazy
     def subject(self) -> Link | Joint | Model | None:
@@ -3230,10 +3197,7 @@ class World(Scope):
     actors: lazy[tuple[Actor, ...]] = parts("actor", "The actors.")
     plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "The plugins of the world itself.")
 
-    @property
-    def gravity(self) -> Vector:
-        """The acceleration of gravity (m/s²)."""
-        return self._vector("gravity", (0.0, 0.0, -9.8))
+    gravity = vector("gravity", (0.0, 0.0, -9.8), "The acceleration of gravity (m/s²).")
 
     @lazy
     def unserved_sensors(self) -> tuple[tuple[Sensor, tuple[str, ...]], ...]:

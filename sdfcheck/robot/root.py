@@ -343,7 +343,7 @@ class Root(Whole):
         return tuple(frame_references(self))
 
     @lazy
-    def rings(self) -> tuple[Ring, ...]:
+    def rings(self) -> tuple[FrameCycle, ...]:
         """The frames that are attached to, or placed relative to, each other in a ring."""
         if not self.frame_references:
             return ()
@@ -513,7 +513,7 @@ _Step = tuple[Value | None, Node | None]
 """The reference that leads on from a node (None where it is implied), and where to."""
 
 
-class Ring(Record):
+class FrameCycle(Record):
     """Frames that are attached to, or placed relative to, each other in a ring.
 
     ``role`` is ``attached_to`` or ``relative_to``. ``members`` are the references that make
@@ -525,7 +525,7 @@ class Ring(Record):
     names: tuple[str, ...]
 
 
-def rings(root: Root) -> tuple[Ring, ...]:
+def rings(root: Root) -> tuple[FrameCycle, ...]:
     """The rings that references of this file take part in."""
     starts = [
         node
@@ -575,8 +575,8 @@ def _pose_reference(node: Node) -> Value | None:
     return value if value is not None and value.text.strip() else None
 
 
-def _search(role: str, starts: list[Node], step: Callable[[Node], _Step]) -> list[Ring]:
-    found: list[Ring] = []
+def _search(role: str, starts: list[Node], step: Callable[[Node], _Step]) -> list[FrameCycle]:
+    found: list[FrameCycle] = []
     done: set[Node] = set()
     for start in starts:
         path: dict[Node, Value | None] = {}
@@ -591,7 +591,7 @@ def _search(role: str, starts: list[Node], step: Callable[[Node], _Step]) -> lis
     return found
 
 
-def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> Ring | None:
+def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> FrameCycle | None:
     if role == "attached_to" and all(isinstance(node, Joint) for node in nodes):
         return None  # what joints lead to is their own matter
     if role == "relative_to" and all(_pose_reference(node) is None for node in nodes):
@@ -603,4 +603,4 @@ def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> Ri
         return None  # it is reported in its own file
     first = min(own, key=lambda at: members[at][0].span.start)
     members = members[first:] + members[:first]
-    return Ring(role, tuple(value for value, _ in members), tuple(name for _, name in members))
+    return FrameCycle(role, tuple(value for value, _ in members), tuple(name for _, name in members))

@@ -172,7 +172,7 @@ _MAKERS = {
 }
 
 
-def soundness(link: Element) -> int:
+def quick_inertia(link: Element) -> int:
     """The facts that are sure of a link's mass properties: the sum of the constants above."""
     inertial: Element | None = None
     collisions: list[Element] = []

@@ -110,6 +110,27 @@ def number(name: str, default: float, says: str | None = None) -> lazy[Number]:
     return found
 
 
+def given_text(name: str, says: str) -> lazy[Value | None]:
+    """A property of a part: the attribute that it writes, with its place."""
+    found: lazy[Value | None] = lazy(lambda part: part.attribute(name))
+    found.__doc__ = says
+    return found
+
+
+def word(name: str, default: str, says: str) -> lazy[str]:
+    """A property of a part: the text of an attribute, without spaces around it."""
+    found: lazy[str] = lazy(lambda part: (part._text(name) or default).strip())
+    found.__doc__ = says
+    return found
+
+
+def vector(name: str, default: tuple[float, ...], says: str) -> lazy[Vector]:
+    """A property of a part: the numbers that it writes, in SDFormat in an element, in URDF in an attribute."""
+    found: lazy[Vector] = lazy(lambda part: part._vector(name, default))
+    found.__doc__ = says
+    return found
+
+
 def parts(name: str, says: str | None = None) -> lazy[tuple[Any, ...]]:
     """A property of a part: the parts that its child elements of a name make."""
     found: lazy[tuple[Any, ...]] = lazy(lambda part: tuple(part._parts(name)))

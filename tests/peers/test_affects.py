@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -95,7 +95,7 @@ def test_examples(consumer: Consumer, tmp_path: Path, stride: Callable[[int], in
     rules = RULES[:: stride(4)]
     codes = examples(tmp_path, rules, most=1 if len(rules) < len(RULES) else None)
     for file in codes:
-        (row,) = verdicts(file, (consumer,), Around(Configuration(isolated=True)))
+        (row,) = verdicts(file, (consumer,), SearchContext(Configuration(isolated=True)))
         if row.verdict is not Verdict.UNREAD:
             expected[file] = row.verdict is not Verdict.REJECT
     taken = CONSUMERS[consumer](list(expected))

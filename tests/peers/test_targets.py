@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
@@ -32,7 +32,7 @@ def test_real_files() -> None:
     counts: Counter[tuple[Consumer, bool, bool]] = Counter()
     corpus = SHARED / "corpus"
     for known in json.loads((corpus / "verdicts.json").read_text("utf-8")):
-        rows = verdicts(corpus / known["file"], tuple(CONSUMERS), Around(Configuration(isolated=True)))
+        rows = verdicts(corpus / known["file"], tuple(CONSUMERS), SearchContext(Configuration(isolated=True)))
         for row in rows:
             opinion = known.get(CONSUMERS[row.consumer])
             # Remote includes are fetched by nobody.

@@ -14,11 +14,11 @@ import click
 
 from sdfcheck.cli.convert.options import Request
 from sdfcheck.cli.parts.command import LazyCommand, LazyGroup
-from sdfcheck.cli.parts.descriptions import Around, check_arguments, chosen_arguments, expander_for
+from sdfcheck.cli.parts.descriptions import SearchContext, check_arguments, chosen_arguments, expander_for
 from sdfcheck.cli.parts.output import Output, deliver, outputs, refuse_to_write, show, write
 from sdfcheck.cli.parts.terminal import emit, emit_lines, read_stdin, say, say_lines, wants_color, width_of
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.convert.soundness import has_refusals, means_another_robot, new_errors, new_refusals
+from sdfcheck.convert.new_errors import has_refusals, means_another_robot, new_errors, new_refusals
 from sdfcheck.files.discover import discover
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import identity, read_named
@@ -205,7 +205,7 @@ class OtherKind(WrongUsage):
 class Reader:
     """Reads the inputs of one run. Use it as a context manager: it may start a process to expand xacro."""
 
-    def __init__(self, around: Around, *, lint: bool = True, expand: bool = True) -> None:
+    def __init__(self, around: SearchContext, *, lint: bool = True, expand: bool = True) -> None:
         self._book = RuleBook()
         self._around = around
         self._lint = lint
@@ -421,7 +421,7 @@ class Outcome(NamedTuple):
 def converted(given: Input, convert: Convert, request: Request) -> Outcome:
     """Convert a document, and compare it with its source if that is asked for."""
     from sdfcheck.convert.loss import NotConvertible, to_diagnostic
-    from sdfcheck.convert.soundness import guess_in
+    from sdfcheck.convert.new_errors import guess_in
 
     if given.document is None or given.stopping:
         way_out = "--no-lint converts it anyway" if given.document is not None else ""
@@ -590,9 +590,9 @@ class Reporting:
             return
         lines = list(self._grouped(view.shown(run), color=color))
         if view.width is not None:
-            from sdfcheck.report.table import folded
+            from sdfcheck.report.table import wrapped
 
-            lines = [part for line in lines for part in folded(line, view.width)]
+            lines = [part for line in lines for part in wrapped(line, view.width)]
         (say_lines if aside else emit_lines)(lines, color=color)
 
     def _grouped(self, diagnostics: Sequence[Diagnostic], *, color: bool) -> Iterator[str]:

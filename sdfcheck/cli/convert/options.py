@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from sdfcheck.cli.parts.descriptions import ARGUMENT, Around, around, surroundings
+from sdfcheck.cli.parts.descriptions import ARGUMENT, SearchContext, around, surroundings
 from sdfcheck.cli.parts.options import colored, configured, path, reported, together, written
 from sdfcheck.cli.parts.output import FORMATS
 from sdfcheck.formats.near_names import did_you_mean
@@ -37,7 +37,7 @@ class Request(NamedTuple):
     report: Path | None
     color: str
     quiet: bool
-    around: Around
+    around: SearchContext
 
     @property
     def paths(self) -> tuple[Path, ...]:

@@ -41,7 +41,7 @@ def described(command: Callable[..., Any]) -> Any:
     return click.argument("arguments", nargs=-1, metavar="[ARG:=VALUE]…")(command)
 
 
-class Around(NamedTuple):
+class SearchContext(NamedTuple):
     """The options about the surroundings of descriptions."""
 
     configuration: Configuration
@@ -52,13 +52,15 @@ class Around(NamedTuple):
         return self.configuration.settings_for(file)
 
 
-def around(given: dict[str, Any]) -> Around:
+def around(given: dict[str, Any]) -> SearchContext:
     """Takes the shared options out of what click has read; the rest is the command's own.
 
     Raises:
         WrongUsage: an option names nothing.
     """
-    return Around(given.pop("configuration").with_given(taken(given)), arguments_in(given.pop("arguments")))
+    return SearchContext(
+        given.pop("configuration").with_given(taken(given)), arguments_in(given.pop("arguments"))
+    )
 
 
 def arguments_in(words: Iterable[str]) -> tuple[tuple[str, str], ...]:
@@ -66,7 +68,7 @@ def arguments_in(words: Iterable[str]) -> tuple[tuple[str, str], ...]:
     return tuple(pair(word, ARGUMENT, "name:=value") for word in words)
 
 
-def load(file: Path, around: Around, *, check: bool = True) -> Document:
+def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
     """Read a description, expanded if it is xacro; ``check``: with arguments that it takes.
 
     Raises: WrongUsage: it is not a description, cannot be read or expanded, or brings too many
@@ -94,7 +96,7 @@ def load(file: Path, around: Around, *, check: bool = True) -> Document:
 
 def warn_if_broken(*documents: Document) -> None:
     """Say on stderr where the text of a description is broken: what a command shows of it may not be all."""
-    from sdfcheck.convert.soundness import break_of
+    from sdfcheck.convert.new_errors import break_of
 
     for document in documents:
         if (span := break_of(document)) is not None:
@@ -103,7 +105,7 @@ def warn_if_broken(*documents: Document) -> None:
             say(f"warning: {place}: the text is broken here, parts may be missing; `sdfcheck lint` says how")
 
 
-def _expanded(document: Document, settings: Settings, around: Around) -> Document:
+def _expanded(document: Document, settings: Settings, around: SearchContext) -> Document:
     with expander_for(settings) as expander:
         chosen = chosen_arguments(document.path, settings, around)
         expanded = expander.expand(document, chosen).document
@@ -120,7 +122,7 @@ def expander_for(settings: Settings) -> Expander:
     return Expander(Surroundings(dict(settings.packages), settings.package_paths, settings.env))
 
 
-def chosen_arguments(file: Path, settings: Settings, around: Around) -> dict[str, str]:
+def chosen_arguments(file: Path, settings: Settings, around: SearchContext) -> dict[str, str]:
     """The arguments of a file: the first set of the configuration, and over it those of the command line."""
     sets = settings.arguments_for(file)
     return {**(dict(sets[0]) if sets else {}), **dict(around.arguments)}
@@ -194,11 +196,11 @@ def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[
         return ()
     from sdfcheck.report.content import robots
 
-    around = Around(options.configuration, options.arguments)
+    around = SearchContext(options.configuration, options.arguments)
     return list(robots(run, _documents(run, around)))
 
 
-def _documents(run: Run, around: Around) -> Iterator[tuple[Path, Document]]:
+def _documents(run: Run, around: SearchContext) -> Iterator[tuple[Path, Document]]:
     for file in run.files:
         if not os.path.isfile(file):
             continue  # read from stdin

@@ -13,7 +13,7 @@ from typing import Any, Protocol, cast
 import numpy as np
 import numpy.typing as npt
 
-from sdfcheck.robot.motion.origin import Origin, PoseError, of_quaternion, of_rpy, origin_in, pose_in
+from sdfcheck.robot.motion.origin import Origin, PoseError, of_rpy, origin_in, pose_in
 from sdfcheck.robot.values import reference_of
 from sdfcheck.source.document import Element
 from sdfcheck.source.errors import DescriptionError
@@ -43,11 +43,6 @@ def to_rpy(rotation: Array) -> tuple[float, float, float]:
         return math.atan2(-rotation[1, 2], rotation[1, 1]), pitch, 0.0
     roll = math.atan2(rotation[2, 1], rotation[2, 2])
     return roll, pitch, math.atan2(rotation[1, 0], rotation[0, 0])
-
-
-def from_quaternion(x: float, y: float, z: float, w: float) -> Array:
-    """The 3×3 rotation of a quaternion, normalized first; of the zero quaternion, no rotation."""
-    return np.array(of_quaternion(x, y, z, w))
 
 
 def about_axis(axis: Sequence[float] | Array, angle: float | Array) -> Array:

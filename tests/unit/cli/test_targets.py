@@ -9,7 +9,7 @@ from typing import NamedTuple
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import lines, verdicts
 from sdfcheck.consumers import engines, measured
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question
@@ -188,7 +188,7 @@ def test_consumers_with_another_parser_do_as_it_does(
 def test_reasons_fold_at_the_width_and_all_of_them_can_be_shown(tmp_path: Path) -> None:
     links = "".join(f'<link name="l{n}"><inertial><mass value="-1"/></inertial></link>' for n in range(9))
     (tmp_path / "r.urdf").write_text(f'<robot name="r">{links}</robot>')
-    rows = verdicts(tmp_path / "r.urdf", [Consumer.MUJOCO], Around(Configuration(isolated=True)))
+    rows = verdicts(tmp_path / "r.urdf", [Consumer.MUJOCO], SearchContext(Configuration(isolated=True)))
     folded = list(lines(rows, tmp_path / "r.urdf", width=60, color=True))
     assert folded[0] == "mujoco  \x1b[1;31mreject\x1b[0m"
     assert max(map(len, folded[1:])) <= 60

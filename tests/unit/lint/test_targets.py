@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck import parse
-from sdfcheck.cli.parts.descriptions import Around
+from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import verdicts
 from sdfcheck.consumers.reaction import (
     ON_REQUEST,
@@ -50,7 +50,7 @@ EVERYBODY = [consumer.value for consumer in Consumer]
 def judged(text: str, name: str, folder: Path, *consumers: Consumer) -> dict[str, str]:
     file = folder / name
     file.write_text(text, encoding="utf-8")
-    rows = verdicts(file, consumers or STATED, Around(Configuration(isolated=True)))
+    rows = verdicts(file, consumers or STATED, SearchContext(Configuration(isolated=True)))
     return {row.consumer.value: row.verdict.value for row in rows}
 
 

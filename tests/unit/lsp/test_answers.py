@@ -18,7 +18,7 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import everywhere, occurrences
 from sdfcheck.lsp.outline import Part, links, outline
 from sdfcheck.lsp.rename import Refused, Target, rename
-from sdfcheck.lsp.speech import Speech
+from sdfcheck.lsp.speech import ProtocolTypes
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
 from tests.unit.lsp.texts import ROBOT
@@ -273,7 +273,7 @@ def test_included_files_are_linted_for_their_includers(tmp_path: Path) -> None:
 def test_lines_above_definitions_lead_to_places_where_the_client_can() -> None:
     workspace, document = opened(ROBOT, Path("there/r.xacro"))
     buffer = workspace.buffers[workspace.key(document.path)]
-    speech = Speech(workspace)
+    speech = ProtocolTypes(workspace)
     edits = Edits(workspace, speech)
     ball = next(lens for lens in edits.lenses(buffer, None) if lens.range.start.line == 3)
     plain = edits.counted(buffer, ball).command

@@ -1,10 +1,10 @@
-"""Views: repeated findings folded, findings about this computer together, an overview of large runs."""
+"""Views: repeated findings grouped, findings about this computer together, an overview of large runs."""
 
 from __future__ import annotations
 
 from sdfcheck.lint.diagnostic import Diagnostic, Missing, MissingKind, Severity
 from sdfcheck.report import OutputFormat, render
-from sdfcheck.report.digest import folded
+from sdfcheck.report.digest import grouped
 from sdfcheck.report.summary import View
 from tests.unit.report.runs import diagnostic, fixed, run
 
@@ -25,7 +25,7 @@ def full(*diagnostics: Diagnostic, view: View = FOLDING) -> str:
 
 
 def test_a_few_alike_are_shown_one_by_one() -> None:
-    assert [group.size for group in folded(map(found, range(1, 4)))] == [1, 1, 1]
+    assert [group.size for group in grouped(map(found, range(1, 4)))] == [1, 1, 1]
 
 
 def test_many_alike_in_a_file_are_one_with_the_lines_of_the_others() -> None:
@@ -44,9 +44,9 @@ def test_names_and_numbers_do_not_set_findings_apart_and_are_said_with_their_pla
     alike = [found(number, message=f"`{name}` is not 7") for number, name in enumerate("wxyz", 1)]
     assert "= and: 3 more in this file: 2:1 `x`, 3:1 `y`, 4:1 `z`\n" in full(*alike)
     unlike = [found(5, message="something else")]
-    assert [group.size for group in folded([*alike, *unlike])] == [4, 1]
+    assert [group.size for group in grouped([*alike, *unlike])] == [4, 1]
     graver = [each._replace(severity=Severity.WARNING) for each in alike]
-    assert [group.size for group in folded([*alike, *graver])] == [4, 4]
+    assert [group.size for group in grouped([*alike, *graver])] == [4, 4]
 
 
 def test_infos_are_counted_and_not_shown() -> None:

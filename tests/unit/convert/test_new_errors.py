@@ -9,8 +9,8 @@ import pytest
 from sdfcheck.cli.main import main
 from sdfcheck.consumers.reaction import drops
 from sdfcheck.convert.loss import LossKind
+from sdfcheck.convert.new_errors import new_refusals
 from sdfcheck.convert.sdf_to_urdf import convert
-from sdfcheck.convert.soundness import new_refusals
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options, PackageUris
 from sdfcheck.formats.version import Version
