@@ -16,7 +16,8 @@ class SimulatorWithoutControl(Rule):
     """A robot starts the controllers of Gazebo and has nothing for them to control.
 
     Gazebo's plugins for ros2_control read the `ros2_control` blocks of the robot, and that of ros_control its
-    transmissions. Without any, no joint has an interface, and each controller that asks for one fails to start.
+    transmissions. Without any, no joint has an interface, and each controller that asks for one fails to start. In ROS
+    1 that is a hint, as other plugins may move the robot.
     """
 
     code = "R2C037"
@@ -70,9 +71,8 @@ class SimulatorWithoutControl(Rule):
         assert plugin is not None
         library = library_of(plugin)
         wanted = "transmission" if library == ROS_CONTROL else "`ros2_control` block"
-        yield self.diagnostic(
-            plugin, f"`{library}` finds no {wanted} in {robot.title}, so no joint has an interface"
-        )
+        message = f"`{library}` finds no {wanted} in {robot.title}, so no joint has an interface"
+        yield self.diagnostic(plugin, message, severity=Severity.INFO if library == ROS_CONTROL else None)
 
 
 def idle(robot: Model) -> Plugin | None:

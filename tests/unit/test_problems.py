@@ -736,15 +736,6 @@ PROBLEMS = {
         STATE.format("command", "position", "", "command", ""),
         1,
     ),
-    "there is no transmission that ros_control could move": Problem(
-        "R2C037",
-        robot(ARM, '<gazebo>\n<plugin filename="libgazebo_ros_control.so" name="c"/>\n</gazebo>@@'),
-        "",
-        TRANSMISSION.format(
-            "transmission_interface/SimpleTransmission", "hardware_interface/EffortJointInterface"
-        ),
-        -1,
-    ),
     "Gazebo does not load the hardware of MuJoCo": Problem(
         "R2C034",
         robot(ARM, CONTROL.format("@@", "shoulder"), CONTROLLED),
