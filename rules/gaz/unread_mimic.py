@@ -37,7 +37,6 @@ class UnreadMimic(Rule):
         Bad(
             ROBOT.replace("{}", "«mimic»", 1).replace("{}", ""),
             says="joint `k` does not follow `j` in Gazebo Classic, for which `libgazebo_ros_control.so` is",
-            also=("R2C037",),
         ),
     )
     good = (
