@@ -25,6 +25,7 @@ DRIVEN = (
     '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     "<parameters>c.yaml</parameters></plugin></gazebo></robot>"
 )
+CLASSIC = "gazebo_ros2_control/GazeboSystem"
 TRANSMITTED = (
     JOINT + '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>'
     "</transmission></robot>"
@@ -79,6 +80,13 @@ class PowerlessJoint(Rule):
             scaffold=DRIVEN.replace("gz_ros2_control/GazeboSimSystem", "mock_components/GenericSystem"),
             why="positions are commanded",
         ),
+        Good(
+            '<limit lower="-1" upper="1" effort="0" velocity="1"/>',
+            scaffold=DRIVEN.replace("gz_ros2_control/GazeboSimSystem", CLASSIC).replace(
+                "gz_ros2_control-system", "libgazebo_ros2_control.so"
+            ),
+            why="Classic sets positions",
+        ),
     )
 
     @staticmethod
@@ -108,10 +116,16 @@ def driver_name(driver: Part) -> str:
     return "ros2_control" if driver.kind == "component" else driver.kind
 
 
+def is_forced(driver: ControlComponent) -> bool:
+    """Is the joint moved by forces whatever is commanded, as the new Gazebo does it? Classic sets positions."""
+    plugin = driver.block.plugin_value
+    return driver.block.is_simulated and plugin is not None and plugin.text != CLASSIC
+
+
 def lacking(limit: Limit) -> dict[str, Number]:
     """The limits that are 0 and that its driver is subject to."""
     found, driver = zeros(limit), limit.joint.driver
-    if isinstance(driver, ControlComponent) and not driver.block.is_simulated:
+    if isinstance(driver, ControlComponent) and not is_forced(driver):
         commanded = {interface.name for interface in driver.commands}
         return {name: number for name, number in found.items() if name != "effort" or name in commanded}
     return found

@@ -3,6 +3,8 @@ from collections.abc import Iterator
 from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
+STARTED = r"filename\s*=\s*.[^\"']*ros2_control"
+"""Where a plugin that an argument of xacro may choose is written."""
 BLOCK = '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'
 
 
@@ -46,9 +48,9 @@ class ControlWithoutSimulator(Rule):
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return block.is_simulated and not any(
-            "ros2_control" in plugin.filename for plugin in block.model.plugins
-        )
+        if not block.is_simulated or any("ros2_control" in plugin.filename for plugin in block.model.plugins):
+            return False
+        return not block.document.may_write(STARTED)
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         plugin = block.plugin_value

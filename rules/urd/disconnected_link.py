@@ -1,6 +1,10 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts
+
+END = r"<(?:parent|child)\s+link\s*=\s*.{}[\"']"
+"""A joint of the link in a branch of xacro that the arguments do not take."""
 
 
 class DisconnectedLink(Rule):
@@ -66,9 +70,13 @@ class DisconnectedLink(Rule):
             if len(group) == 1:
                 link = group[0]
                 message = f"no joint ties {link.title} to the rest of the robot"
+                may_be = robot.document.may_write(END.format(re.escape(link.name)))
+                if may_be:
+                    message += ", unless an argument brings one"
                 known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}
                 labels = {tree.top(tree.groups[0]): "the root of the rest"}
-                yield self.diagnostic(link, message, labels=labels, affects=known)
+                severity = Severity.WARNING if may_be else None
+                yield self.diagnostic(link, message, labels=labels, affects=known, severity=severity)
 
 
 def _tied_for_drake(robot: Model) -> Iterator[str]:

@@ -1829,6 +1829,8 @@ class Drive(NamedTuple):
     """The parameter of the radius or the diameter."""
     base: Element | None
     """The parameter of the distance of the axles."""
+    has_sides: bool
+    """Is left the left side? The drive of ROS 1 has the sides exchanged unless ``legacyMode`` is false."""
 
     @property
     def left(self) -> Wheel:
@@ -1866,6 +1868,8 @@ class Drive(NamedTuple):
         if any(sum(a * b for a, b in zip(axis, wheel.axis, strict=True)) <= 0.5 for wheel in self.wheels):
             return None
         forwards = (axis[1], -axis[0], 0.0)
+        if not self.has_sides:
+            return None
         pairs = [(*pair, axis, "to the right of") for pair in product(self.lefts, self.rights)]
         pairs += [(*pair, axis, "to the right of") for pair in product(self.steering[:1], self.steering[1:])]
         pairs += [
@@ -1898,7 +1902,9 @@ def drive_of(plugin: Plugin) -> Drive | None:
         return None
     radius, separation = _only(given, (*_RADIUS, *_DIAMETER)), _only(given, _SEPARATION)
     turned = tuple(wheel for side in steering for wheel in side)
-    return Drive(lefts, rights, turned if len(turned) == 2 else (), separation, radius, _only(given, _BASE))
+    has_sides = "leftJoint" not in given or (plugin.get("legacyMode") or "").strip() in {"false", "0"}
+    steered = turned if len(turned) == 2 else ()
+    return Drive(lefts, rights, steered, separation, radius, _only(given, _BASE), has_sides)
 
 
 def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:

@@ -49,6 +49,10 @@ _WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "
 _TEXTURED = frozenset({"projector", "sky"})
 _SHIPPED = ("file://media/", "__default__")
 """What Gazebo Classic brings along, and the word for nothing."""
+_SHIPPED_ACTORS = frozenset(
+    f"{name}.dae" for name in "moonwalk run sit_down sitting stand stand_up talk_a talk_b walk".split()
+)
+"""The skins and animations that Gazebo Classic brings along."""
 _EXPRESSIONS = ("$(", "${")
 _PICTURES = frozenset({"texture", "heightmap", "projector"})
 _TEXTURE_FOLDERS = ("materials/textures", "../materials/textures", "../textures")
@@ -205,7 +209,8 @@ def resources_of(root: Whole) -> tuple[Resource, ...]:
 
 def _is_literal(value: Value) -> bool:
     text = value.text.strip()
-    return bool(text) and not text.startswith(_SHIPPED) and not any(mark in text for mark in _EXPRESSIONS)
+    is_shipped = text.startswith(_SHIPPED) or text in _SHIPPED_ACTORS
+    return bool(text) and not is_shipped and not any(mark in text for mark in _EXPRESSIONS)
 
 
 class Pieces(Part):

@@ -39,6 +39,10 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
+_NAMED = r"<{}\s[^<>]*name\s*=\s*.(?:\$\{{[^{{}}]*\}})?{}[\"']"
+"""A link or joint in a branch of xacro that the arguments do not take."""
+
+
 class NamedPart(NamedTuple):
     """A name of a link or joint of the robot, or of a group, with its place."""
 
@@ -227,9 +231,15 @@ class Semantics:
     @property
     def unknown(self) -> Iterator[NamedPart]:
         """The names that no robot has which the file may be about."""
+        known: dict[str, bool] = {}
         for part in self.named if self.robots else ():
             name = part.value.text.strip()
-            if not self.is_added(part) and not any(name in names(robot, part.kind) for robot in self.robots):
+            if self.is_added(part) or any(name in names(robot, part.kind) for robot in self.robots):
+                continue
+            written = _NAMED.format(part.kind, re.escape(name))
+            if written not in known:
+                known[written] = any(robot.document.may_write(written) for robot in self.robots)
+            if not known[written]:
                 yield part
 
     def is_added(self, part: NamedPart) -> bool:
