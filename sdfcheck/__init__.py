@@ -6,9 +6,10 @@ first used.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False  # `typing` takes long to load, and until `run` is reached an interrupt is a traceback
 if TYPE_CHECKING:
+    from typing import Any
+
     from sdfcheck import problems
     from sdfcheck.api import as_json, diff, fix, inertia, print, targets  # noqa: A004
     from sdfcheck.consumers.gazebo import BuiltFrame, BuiltJoint, BuiltLink, BuiltShape, GazeboRobot
