@@ -15,11 +15,12 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 from urllib.parse import unquote
 
 from sdfcheck.bodies.box import Box, around
-from sdfcheck.files.regular import MEGABYTE, read_regular
+from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.regular import MEGABYTE, open_regular, read_on, read_regular
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -63,7 +64,8 @@ class Faulty(ValueError):
 
 
 Read = Callable[[Path, int], bytes]
-"""Reads a file of at most so many bytes; raises OSError."""
+Open = Callable[[Path, int], BinaryIO]
+"""Read, or open, a file of at most so many bytes; raise OSError."""
 
 
 def read_mesh(path: Path, read: Read = read_regular) -> Mesh:
@@ -422,20 +424,22 @@ _SLOTS = 0x4000
 """Files of the cache at most: each mesh has its place, and gives way to another one of the same place."""
 
 
-def mesh_at(path: Path, read: Read = read_regular) -> Mesh:
+def mesh_at(path: Path, open: Open = open_regular) -> Mesh:
     """The content of a mesh file, read again only where its size or time of change is another one.
 
-    A file that cannot be read has a ``fault``, and never raises.
+    It is opened each time, as it may be where this run must not read. A file that cannot be read has a
+    ``fault``, and never raises.
     """
     try:
-        status = os.stat(path)
-        key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
-        place = _place(key)
-        found = _kept(place, key)
-        if found is None:
-            found = read_mesh(path, read)
-            if place is not None:
-                _keep(place, key, found)
+        with open(path, LIMIT) as stream:
+            status = os.fstat(stream.fileno())
+            key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
+            place = _place(key)
+            found = _kept(place, key)
+            if found is None:
+                found = read_mesh(path, lambda file, limit: read_on(stream, file, limit))
+                if place is not None:
+                    _keep(place, key, found)
     except OSError as error:
         return Mesh("", fault=f"cannot be read: {error.strerror or error}")
     return found
@@ -476,7 +480,7 @@ def _kept(place: Path | None, key: str) -> Mesh | None:
         box = Box(tuple(low), tuple(high)) if low else None
         found = Mesh(form, box, *rest)
         return found._replace(files=tuple(found.files)) if said == key else None
-    except (OSError, ValueError, TypeError):
+    except (OSError, ValueError, TypeError, RecursionError):
         return None
 
 
@@ -485,11 +489,8 @@ def _keep(place: Path, key: str, mesh: Mesh) -> None:
     form, box, *rest = mesh
     low, high = (box.low, box.high) if box is not None else ((), ())
     text = json.dumps([key, form, low, high, *rest])
-    name = f"{place}.{os.getpid()}"
     try:
         os.makedirs(place.parent, exist_ok=True)
-        with open(name, "w", encoding="utf-8", errors="surrogateescape") as stream:
-            stream.write(text)
-        os.replace(name, place)
+        overwrite(place, text.encode("utf-8", "surrogateescape"), instead=True, lasting=False)
     except OSError:
         return

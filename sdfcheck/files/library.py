@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar, cast
+from typing import TYPE_CHECKING, BinaryIO, TypeVar, cast
 
-from sdfcheck.files.regular import SIZE_LIMIT, Outside, is_below, read_named, read_regular
+from sdfcheck.files.regular import SIZE_LIMIT, Outside, is_below, names_in, open_regular, read_named, read_on
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -90,11 +90,7 @@ class Disk:
         """The entries of a folder: names in lower case → names; empty if it is not a folder."""
         listed = self._listings.get(folder)
         if listed is None:
-            try:
-                names = sorted(os.listdir(folder), reverse=True)
-            except OSError:
-                names = []
-            listed = self._listings[folder] = {name.lower(): name for name in names}
+            listed = self._listings[folder] = {name.lower(): name for name in reversed(names_in(folder))}
         return listed
 
 
@@ -262,12 +258,14 @@ class Library:
             yield self._unseen.pop(0)
 
     def read(self, path: Path, of: Document, limit: int = SIZE_LIMIT) -> bytes:
-        """The content of a file that a document refers to, of at most ``limit`` bytes.
+        """The content of a file that a document refers to, of at most ``limit`` bytes; raises as :meth:`open`."""
+        with self.open(path, of, limit) as stream:
+            return read_on(stream, path, min(limit, self._limit))
 
-        Raises OSError, as :func:`read_regular`.
-        """
+    def open(self, path: Path, of: Document, limit: int = SIZE_LIMIT) -> BinaryIO:
+        """Open a file that a document refers to; raises OSError, as :func:`open_regular`."""
         try:
-            return read_regular(path, min(limit, self._limit), self.around(of.path))
+            return open_regular(path, min(limit, self._limit), self.around(of.path))
         except Outside:
             self.refused.setdefault(path, of.path)
             raise

@@ -31,10 +31,11 @@ def why_not(path: Path, error: OSError) -> str:
     return f"cannot write {path}: {error.strerror or error}"
 
 
-def overwrite(path: Path, data: bytes, *, instead: bool = False) -> None:
+def overwrite(path: Path, data: bytes, *, instead: bool = False, lasting: bool = True) -> None:
     """Put ``data`` in the place of a file's content, or leave the file as it is.
 
-    ``instead``: the file is the one that the data was made from, and may have been read.
+    ``instead``: the file is the one that the data was made from, and may have been read. ``lasting``: the
+    file is on the disk, whatever happens to the computer afterwards; that takes its time.
     Mode, owner and group stay; a symbolic link stays one, and the file that it leads to is written. Of
     several hard links only this one gets the new content. Files that this process was given open
     (``/dev/stdout``, a shell's ``>(…)``) and the null device are written to.
@@ -46,7 +47,7 @@ def overwrite(path: Path, data: bytes, *, instead: bool = False) -> None:
         _write_to(os.dup(own), data)
     elif goes_to_a_file(path):
         status = refuse_to_write(path, instead=instead)
-        _replace(os.path.realpath(path), data, status)
+        _replace(os.path.realpath(path), data, status, lasting=lasting)
 
 
 def goes_to_a_file(path: Path) -> bool:
@@ -91,7 +92,7 @@ def _tree_left(path: Path) -> str:
     return "" if is_below(real, (os.path.realpath(tree),)) else tree
 
 
-def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:
+def _replace(target: str, data: bytes, old: os.stat_result | None, *, lasting: bool) -> None:
     """Write a new file and rename it to ``target``."""
     folder = os.path.dirname(target)
     _sweep(folder)
@@ -103,7 +104,8 @@ def _replace(target: str, data: bytes, old: os.stat_result | None) -> None:
             _is_locked(stream.fileno())
             stream.write(data)
             stream.flush()
-            os.fsync(stream.fileno())
+            if lasting:
+                os.fsync(stream.fileno())
             if sys.platform != "win32":  # which replaces no file that is open
                 _put(name, target, old)
         if sys.platform == "win32":

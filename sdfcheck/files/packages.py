@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 
-from sdfcheck.files.regular import MEGABYTE, is_below, read_regular
+from sdfcheck.files.regular import MEGABYTE, is_below, is_made_up, names_in, read_regular
 
 FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
@@ -174,8 +173,11 @@ class Packages:
         count = 0
         roots = tuple(os.path.realpath(folder) for folder in self.own)
         for folder in self._folders_below(self.root):
-            for path in sorted(folder.glob(f"*{suffix}")):
-                if path.is_symlink() and not is_below(os.path.realpath(path), roots):
+            for name in names_in(folder):
+                path = folder / name
+                if not name.endswith(suffix):
+                    continue
+                if os.path.islink(path) and not is_below(os.path.realpath(path), roots):
                     continue
                 count += 1
                 if count > limit:
@@ -227,9 +229,7 @@ class Packages:
         if self._own_prefixes is None:
             workspace = self.root.parent if self.root.name == "src" else self.root
             own = workspace / "install"
-            below: list[Path] = []
-            with suppress(OSError):
-                below = [own / name for name in sorted(os.listdir(own))]
+            below = [own / name for name in names_in(own)]
             real = os.path.join(os.path.realpath(workspace), "")
             self._own_prefixes = [
                 folder
@@ -250,6 +250,8 @@ def _folders(root: Path) -> Iterator[Path]:
     waiting, count = [os.fspath(root)], 0
     while waiting and count < FOLDER_LIMIT:
         folder = waiting.pop()
+        if is_made_up(folder):  # below the root of the system
+            continue
         try:
             with os.scandir(folder) as entries:
                 below = [entry.name for entry in entries if entry.is_dir(follow_symlinks=False)]

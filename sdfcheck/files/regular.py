@@ -228,6 +228,14 @@ def is_below(path: str, folders: Iterable[str]) -> bool:
     return any(path == folder or path.startswith(os.path.join(folder, "")) for folder in folders)
 
 
+def names_in(folder: str | os.PathLike[str]) -> list[str]:
+    """The names of what is in a folder, sorted; none if it cannot be listed."""
+    try:
+        return sorted(os.listdir(folder))
+    except (OSError, ValueError):
+        return []
+
+
 def is_made_up(real: str) -> bool:
     """Whether a path without links leads to what the kernel makes up."""
     return is_below(real, _KERNEL) and not is_below(real, _MEMORY)

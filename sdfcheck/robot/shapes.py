@@ -173,7 +173,7 @@ class Geometry(Part):
         path, library = locate(self.document, self.uri).path, library_of(self.document)
         if path is None or library is None or not os.path.isfile(path):
             return None
-        return mesh_at(path, lambda file, limit: library.read(file, self.document, limit))
+        return mesh_at(path, lambda file, limit: library.open(file, self.document, limit))
 
     @lazy
     def missing_files(self) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import fnmatch
 import os
 import re
 from collections.abc import Collection, Iterator
@@ -10,6 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.regular import names_in
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple, Record
@@ -495,7 +497,8 @@ class Definitions:
         if path is None or (library := library_of(document)) is None:
             return []
         if _GLOB.search(str(path)):
-            return sorted(path.parent.glob(path.name)) if not _GLOB.search(str(path.parent)) else []
+            names = names_in(path.parent) if not _GLOB.search(str(path.parent)) else []
+            return [path.parent / name for name in fnmatch.filter(names, path.name)]
         path = library.packages(document.path).locate(path)
         return [path] if os.path.isfile(path) else []
 

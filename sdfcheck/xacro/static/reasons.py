@@ -9,6 +9,7 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from sdfcheck.files.regular import names_in
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
@@ -246,10 +247,10 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     if not why.startswith("no such file") or "$" in name:
         return None
     path = problem.span.source.path.parent / name
-    if document.library is not None and os.path.isdir(path.parent):
-        for each in path.parent.iterdir():
-            if each.name.casefold() == path.name.casefold():
-                return Reason(f"did you mean `{each.name}`?")
+    if document.library is not None:
+        for each in names_in(path.parent):
+            if each.casefold() == path.name.casefold():
+                return Reason(f"did you mean `{each}`?")
     return _of_default(path, problem.span.text, document)
 
 

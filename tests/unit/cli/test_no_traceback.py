@@ -78,6 +78,7 @@ WITH_LONG_NAMES = {
     "include.urdf.xacro": "<robot name='r' X><xacro:include filename='LONG/LONG.xacro'/></robot>",
     "argument.urdf.xacro": "<robot name='r' X><xacro:arg name='f' default='LONG'/>"
     "<xacro:include filename='$(arg f).xacro'/></robot>",
+    "several.urdf.xacro": "<robot name='r' X><xacro:include filename='LONG/*.xacro'/><link name='l'/></robot>",
     "yaml.urdf.xacro": "<robot name='r' X><link name='${xacro.load_yaml(&quot;LONG&quot;)}'/></robot>",
     "model.config": "<model><name>m</name><sdf version='1.9'>LONG.sdf</sdf></model>",
 }

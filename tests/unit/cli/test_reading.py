@@ -156,6 +156,25 @@ def test_pages_hold_meshes_of_the_project_only(
     assert '"format":"stl"' in page.replace('": "', '":"')
 
 
+def test_a_mesh_that_is_known_is_opened_again(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A run may have no right to read a mesh that an earlier one has measured, and never writes over it."""
+    monkeypatch.setenv("SDFCHECK_CACHE_DIR", str(tmp_path / "cache"))
+    (tmp_path / "out").mkdir()
+    mesh = tmp_path / "out" / "part.obj"
+    mesh.write_text("v 0 0 0\nv 5000 0 0\nv 0 5000 0\nf 1 2 3\n")
+    (project / "a.urdf").write_text(ROBOT.format("../out/part.obj"))
+    for named, is_read in (([], False), ([".."], True), ([], False)):
+        main(["lint", "--select", "ALL", "--min-severity", "info", "a.urdf", *named])
+        shown = everything(capsys)
+        assert ("part.obj is not read: it lies outside of the project" in shown) is not is_read
+    assert list((tmp_path / "cache" / "meshes").glob("*.json"))
+    for _ in range(2):
+        assert main(["lint", "a.urdf", "..", "-o", str(mesh)]) == 2
+        assert "part.obj is an input" in everything(capsys)
+
+
 @pytest.fixture
 def odd(project: Path) -> Iterator[None]:
     """A pipe, a socket and links to devices, under names that descriptions use."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -96,3 +97,23 @@ def test_the_home_folder_is_no_project(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(tmp_path)
     (tmp_path / "robots").mkdir()
     assert project_root(tmp_path / "robots" / "a.xacro") == tmp_path / "robots"
+
+
+def test_folders_that_cannot_be_listed_hold_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "closed").mkdir()
+    (tmp_path / "a.xacro").touch()
+    listing = os.listdir
+
+    def closed(folder: Path) -> list[str]:
+        if folder.name == "closed":
+            raise OSError(22, "Invalid argument")
+        return listing(folder)
+
+    monkeypatch.setattr(os, "listdir", closed)
+    assert list(Packages(tmp_path, environment={}).files(".xacro", 9)) == [tmp_path / "a.xacro"]
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="no such folder")
+def test_folders_of_the_kernel_are_in_no_project() -> None:
+    assert Packages(Path("/proc"), environment={}).names == []
+    assert list(Packages(Path("/proc/self"), environment={}).files("", 9)) == []
