@@ -108,9 +108,9 @@ WHOLE = View(Severity.INFO, folds=True)
 class Content:
     """The findings of a run, with what many of them have in common named once."""
 
-    def __init__(self, run: Run) -> None:
+    def __init__(self, run: Run, paths: Paths) -> None:
         self._run = run
-        self._paths = Paths()
+        self._paths = paths
         self._files: dict[Path, int] = {}
         self._rules: dict[str, int] = {}
         self._reactions: dict[tuple[Any, ...], int] = {(): 0}
@@ -226,19 +226,27 @@ TITLE = "\ue000"
 
 
 class Robot(NamedTuple):
-    """A file whose robot can be shown: ``page`` is what `sdfcheck view` writes, with TITLE as its title."""
+    """A file of a run: ``page`` is what `sdfcheck view` writes, with TITLE as its title.
+
+    Empty where the robot is not shown; ``reason`` is why.
+    """
 
     path: Path
-    page: str
+    page: str = ""
+    reason: str = ""
 
 
-def robots(run: Run, documents: Iterable[tuple[Path, Document]]) -> Iterator[Robot]:
-    """The robots of descriptions that can be drawn, with the findings of a run."""
+def robots(run: Run, documents: Iterable[tuple[Path, Document | str]]) -> Iterator[Robot]:
+    """The robots of descriptions, with the findings of a run; a text in place of a document is why there is none."""
     left = _BYTES
     for path, document in documents:
+        if isinstance(document, str):
+            yield Robot(path, reason=document)
+            continue
         meshes = Meshes(all=left // 2)
         drawn = scene(document, meshes)
         if not any(model["links"] for model in drawn["models"]):
+            yield Robot(path, reason="; ".join(drawn["notes"]) or "it has no links")
             continue
         found = findings(_gravest(run, path), document, run.pages)
         text = page(TITLE, [drawn], meshes.entries, findings=found)
@@ -246,6 +254,8 @@ def robots(run: Run, documents: Iterable[tuple[Path, Document]]) -> Iterator[Rob
         if size <= left:
             left -= size
             yield Robot(path, text)
+        else:
+            yield Robot(path, reason="too large for this page; `sdfcheck view` shows it")
 
 
 def _gravest(run: Run, path: Path) -> tuple[Diagnostic, ...]:

@@ -200,11 +200,13 @@ def robots_of(run: Run, wanted: Iterable[Output], options: Options) -> Sequence[
     return list(robots(run, _documents(run, around)))
 
 
-def _documents(run: Run, around: SearchContext) -> Iterator[tuple[Path, Document]]:
+def _documents(run: Run, around: SearchContext) -> Iterator[tuple[Path, Document | str]]:
+    """The files of a run, each read or with why not."""
     for file in run.files:
         if not os.path.isfile(file):
-            continue  # read from stdin
+            yield file, "read from stdin"
+            continue
         try:
             yield file, load(file, around, check=False)
         except WrongUsage:
-            continue  # the report says what is wrong with it
+            yield file, "not read; the findings say why"

@@ -32,7 +32,7 @@ _BODY = """<a class="skip" href="#main">Skip to the content</a>
 
 
 def render(run: Run, robots: Sequence[Robot] = ()) -> str:
-    paths = Paths()
+    paths = Paths(files=run.files)  # the page may be passed on: it has no whole paths
     body = _BODY.format(
         closing=escape(closing_line(run, WHOLE)),
         overview=escape("\n".join(overview(run, WHOLE, paths, painter(False))) if run.diagnostics else ""),
@@ -41,12 +41,20 @@ def render(run: Run, robots: Sequence[Robot] = ()) -> str:
     style, script = (
         folder.joinpath(name).read_text(encoding="utf-8") for name in ("report.css", "report.js")
     )
-    shown = [visible(paths(robot.path)) for robot in robots]
-    data = Content(run).as_json() | {"robots": shown, "mostRobots": MOST_ROBOTS}
-    if not robots:
+    drawn = [robot for robot in robots if robot.page]
+    data = Content(run, paths).as_json() | {
+        "robots": [visible(paths(robot.path)) for robot in drawn],
+        "notDrawn": [
+            {"file": visible(paths(robot.path)), "reason": visible(robot.reason)}
+            for robot in robots
+            if not robot.page
+        ],
+        "mostRobots": MOST_ROBOTS,
+    }
+    if not drawn:
         return sealed("sdfcheck report", body, data, Assets(style, script))
 
-    before, _, after = split(robots[0].page)
+    before, _, after = split(drawn[0].page)
     more = {"viewer": as_data([before, after])}
-    more |= {f"robot-{number}": split(robot.page)[1] for number, robot in enumerate(robots)}
+    more |= {f"robot-{number}": split(robot.page)[1] for number, robot in enumerate(drawn)}
     return sealed("sdfcheck report", body, data, Assets(style, script), more=more, framed=[assets()])

@@ -203,3 +203,22 @@ def test_control_characters_are_spelled_out() -> None:
 
 def test_deleted_line_ends_bring_the_next_line() -> None:
     assert hunks_of("<a/>\n«<b/>\n»<c/>\n", "") == [Hunk(2, ((DELETED, "<b/>\n"), (KEPT, "<c/>")))]
+
+
+def test_each_file_is_drawn_or_has_the_reason_and_no_name_is_a_whole_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder, elsewhere = tmp_path / "robots", tmp_path / "elsewhere"
+    folder.mkdir()
+    elsewhere.mkdir()
+    (folder / "a.urdf").write_text('<robot name="r"><link name="l"/></robot>')
+    (folder / "b.sdf").write_text('<sdf version="1.9"><world name="w"/></sdf>')
+    (folder / "c.urdf.xacro").write_text('<robot name="r"><xacro:nothing/></robot>')
+    monkeypatch.chdir(elsewhere)
+    text = lint(folder)
+    data = json.loads(re.findall(r'id="data">(.*?)</script>', text, re.DOTALL)[0])
+    reasons = {each["file"]: each["reason"] for each in data["notDrawn"]}
+    assert data["robots"] == ["a.urdf"]
+    assert set(reasons) == {"b.sdf", "c.urdf.xacro"}
+    assert reasons["b.sdf"] == "it has no links"
+    assert str(tmp_path) not in text

@@ -69,10 +69,10 @@ export interface Report {
   skipped: { file: string; reason: string }[];
   /** Files of which the page holds the robot. */
   robots: string[];
+  /** Files whose robots are not drawn, and why. */
+  notDrawn: { file: string; reason: string }[];
   /** Pages about more files hold none. */
   mostRobots: number;
-  /** Left out of the names of files: see folderOf. */
-  folder: string;
 }
 
 /** What is counted: findings by severity, and apart from them those about the computer. */
@@ -83,19 +83,6 @@ export const KINDS: readonly Kind[] = ["error", "warning", "info", "missing"];
 export const KIND_NAMES: Record<Kind, string> = {
   error: "Errors", warning: "Warnings", info: "Infos", missing: "Not found here",
 };
-
-/** The folder that all files are in, where they are named by whole paths; else nothing. */
-export function folderOf(places: string[]): string {
-  if (!places.length || !places.every((place) => place.startsWith("/"))) return "";
-  let folder = places[0]!;
-  for (const place of places) while (!place.startsWith(folder) || !folder.endsWith("/")) folder = folder.replace(/[^/]*\/?$/, "");
-  return folder;
-}
-
-/** What a file is called on the page. */
-export function nameOf(report: Report, file: number): string {
-  return report.places[file]!.slice(report.folder.length);
-}
 
 export function kindOf(finding: Finding): Kind {
   return finding.missing ? "missing" : finding.severity;

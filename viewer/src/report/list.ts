@@ -1,7 +1,7 @@
 // The findings that a filter leaves, file by file; no more rows than are looked at.
 
 import { counted, made, path } from "../made";
-import { nameOf, type Finding, type Report } from "./data";
+import { type Finding, type Report } from "./data";
 import { fill, row } from "./finding";
 import { fragmentOf, linkTo } from "./filter";
 
@@ -62,7 +62,7 @@ export class List {
       if (finding.file !== this.file || this.group === null) {
         this.file = finding.file;
         const link = linkTo({ file: this.report.places[finding.file]! });
-        const heading = made("h3", {}, made("a", { href: link }, ...path(nameOf(this.report, finding.file))));
+        const heading = made("h3", {}, made("a", { href: link }, ...path(this.report.places[finding.file]!)));
         const place = this.report.places[finding.file]!;
         if (this.report.robots.includes(place))
           heading.append(" ", made("a", { class: "robot", href: fragmentOf({ view: "robots", filter: { file: place } }) }, "robot"));

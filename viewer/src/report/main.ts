@@ -1,14 +1,13 @@
 // The page of the HTML report.
 
 import { counted, made } from "../made";
-import { KIND_NAMES, KINDS, folderOf, kindOf, type Report } from "./data";
+import { KIND_NAMES, KINDS, kindOf, type Report } from "./data";
 import { FIXES, fragmentOf, Search, stateOf, VIEWS, type Name, type State, type View } from "./filter";
 import { List } from "./list";
 import { Robots } from "./robots";
 import { files, rules, summary } from "./tables";
 
 const report = JSON.parse(document.getElementById("data")!.textContent!) as Report;
-report.folder = folderOf(report.places);
 const main = document.getElementById("main")!;
 const search = new Search(report);
 const list = new List(report);
@@ -23,7 +22,7 @@ const fields = new Map<Name, HTMLInputElement | HTMLSelectElement>();
 
 function start(): void {
   for (const view of VIEWS) {
-    if (view === "robots" && !report.robots.length) continue;
+    if (view === "robots" && !report.robots.length && !report.notDrawn.length) continue;
     const section = made("section", { "data-view": view, "aria-label": names[view] });
     sections.set(view, section);
     main.append(section);
@@ -62,7 +61,7 @@ function show(wanted: State): void {
     else link.removeAttribute("aria-current");
   for (const [name, field] of fields) if (field.value !== (state.filter[name] ?? "")) field.value = state.filter[name] ?? "";
   chip.hidden = !state.filter.file;
-  const file = (state.filter.file ?? "").slice(report.folder.length);
+  const { file = "" } = state.filter;
   chip.replaceChildren(`in ${file} `, made("span", { "aria-hidden": "true" }, "×"));
   chip.setAttribute("aria-label", `Show all files, not only ${file}`);
   const left = search.found(state.filter).length;

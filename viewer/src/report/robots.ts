@@ -1,6 +1,6 @@
 // The robots of a run, one at a time, each in a frame of its own: the page that `sdfcheck view` writes.
 
-import { made, path } from "../made";
+import { made, path, prose } from "../made";
 import type { Report } from "./data";
 import { fragmentOf } from "./filter";
 
@@ -15,20 +15,24 @@ export class Robots {
 
   /** Shows the robot of a file, or the first one. */
   show(file: string | undefined): void {
-    const wanted = file !== undefined && this.report.robots.includes(file) ? file : this.report.robots[0]!;
+    const wanted = file !== undefined && this.report.robots.includes(file) ? file : (this.report.robots[0] ?? "");
     if (wanted === this.shown) return;
     this.shown = wanted;
+    this.element.replaceChildren(this.links(wanted));
+    if (!wanted) return;
     // A frame shares the policy of this page, and nothing else.
     const frame = made("iframe", { title: `The robot of ${wanted}`, sandbox: "allow-scripts allow-popups" });
     frame.srcdoc = this.pageOf(wanted);
-    this.element.replaceChildren(this.links(wanted), frame);
+    this.element.append(frame);
   }
 
   private links(wanted: string): HTMLElement {
-    return made("ul", {}, ...this.report.robots.map((file) =>
+    const { robots, notDrawn } = this.report;
+    return made("ul", {}, ...robots.map((file) =>
       made("li", {}, made("a", {
         href: fragmentOf({ view: "robots", filter: { file } }), ...(file === wanted ? { "aria-current": "true" } : {}),
-      }, ...path(file.slice(file.startsWith(this.report.folder) ? this.report.folder.length : 0))))));
+      }, ...path(file)))), ...notDrawn.map(({ file, reason }) =>
+      made("li", { class: "faint" }, ...path(file), ": ", ...prose(reason))));
   }
 
   private pageOf(file: string): string {

@@ -1,7 +1,7 @@
 // The summary, and the tables of rules and files.
 
 import { counted, made, path, prose } from "../made";
-import { KIND_NAMES, KINDS, kindOf, nameOf, type Finding, type Kind, type Report } from "./data";
+import { KIND_NAMES, KINDS, kindOf, type Finding, type Kind, type Report } from "./data";
 import { linkTo, type State } from "./filter";
 
 type Cell = Node | string | number;
@@ -72,13 +72,12 @@ export function files(report: Report): Node[] {
     .map(([file, found]) => ({ file, found, gravity: gravity(found) }))
     .sort((a, b) => KINDS.reduce((order, _, at) => order || b.gravity[at]! - a.gravity[at]!, 0) || a.file - b.file)
     .map(({ file, found }): Cell[] => {
-      const link = made("a", { href: linkTo({ file: report.places[file]! }) }, ...path(nameOf(report, file)));
+      const link = made("a", { href: linkTo({ file: report.places[file]! }) }, ...path(report.places[file]!));
       return [link, ...numbers(found)];
     });
   const clean = Math.max(report.files - byFile.size, 0);
   return [made("h2", {}, `${counted(byFile.size, "file")} with findings`),
     ...(clean ? [made("p", {}, `${counted(clean, "file")} without findings.`)] : []),
-    ...(report.folder ? [made("p", {}, "All are in ", made("code", {}, ...path(report.folder)))] : []),
     ...(report.files > report.mostRobots
       ? [made("p", {}, ...prose("`sdfcheck view FILE` shows the robot of one of them in three dimensions."))] : []),
     table(["File", ...KINDS.map((kind) => KIND_NAMES[kind])], rows)];
