@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 from tempfile import mkdtemp
 from typing import TYPE_CHECKING, Any
@@ -20,6 +22,7 @@ from sdfcheck.cli.parts.descriptions import (
 from sdfcheck.cli.parts.options import PATH, require_file, written
 from sdfcheck.cli.parts.output import deliver
 from sdfcheck.cli.parts.terminal import say
+from sdfcheck.source.errors import WrongUsage
 
 if TYPE_CHECKING:
     from sdfcheck.lint.run import Run
@@ -29,14 +32,13 @@ if TYPE_CHECKING:
 @click.command(cls=Command)
 @click.argument("file", type=PATH)
 @click.argument("other", type=PATH, required=False)
-@written("Write the page there instead of to stdout.")
-@click.option("--open", "opened", is_flag=True, help="Open the page in a browser.")
+@written("Write the page there.")
+@click.option("--open", "opened", is_flag=True, help="Open the page in a browser, also with -o.")
 @described
 def view(file: Path, other: Path | None, output_file: Path | None, opened: bool, **given: Any) -> int:
-    """Write a page that shows a robot, or two robots over each other, in three dimensions.
+    """Show a robot, or two robots beside each other, in three dimensions in the browser.
 
-    Links with shapes, frames, joint axes, inertias and fields of view; sliders move the joints;
-    findings and differences select the parts that they are about.
+    Without -o the page is a temporary file that is opened; where stdout is not a terminal, it goes there.
     """
     arguments = tuple(given["arguments"])
     if other is not None and ":=" in str(other):
@@ -45,19 +47,29 @@ def view(file: Path, other: Path | None, output_file: Path | None, opened: bool,
     files = [file] if other is None else [file, other]
     for one in files:
         require_file(one)
+    is_piped = output_file is None and not opened and not sys.stdout.isatty()
+    if output_file is None and not is_piped and not _has_display():
+        raise WrongUsage(f"no display to open the page on; write it to a file: -o {file.stem}.html")
     check_arguments(surroundings.arguments, files, surroundings.settings_for(file))
     documents = [load(one, surroundings, check=False) for one in files]
     warn_if_broken(*documents)
     text = _page(files, documents, surroundings)
-    if output_file is None and not opened:
+    if is_piped:
         deliver(text, None)
         return 0
     target = output_file or Path(mkdtemp(prefix="sdfcheck-")) / f"{file.stem}.html"
     deliver(text, target)
     say(f"wrote {target}")
-    if opened:
-        click.launch(str(target))
+    if (opened or output_file is None) and click.launch(str(target)):
+        say("no browser could be started; open that file in one")
     return 0
+
+
+def _has_display() -> bool:
+    """Whether a browser can show something here."""
+    if sys.platform in {"win32", "darwin"}:
+        return True
+    return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"))
 
 
 def _page(files: list[Path], documents: list[Document], surroundings: SearchContext) -> str:

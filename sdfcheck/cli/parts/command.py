@@ -176,8 +176,8 @@ _EXAMPLES = {
         ("sdfcheck server --tcp --port 5007", "to look at what is said"),
     ),
     "view": (
-        ("sdfcheck view arm.urdf --open", "show a robot in the browser"),
-        ("sdfcheck view before.urdf after.sdf -o both.html", "two robots over each other"),
+        ("sdfcheck view arm.urdf", "show a robot in the browser"),
+        ("sdfcheck view before.urdf after.sdf -o both.html", "two robots beside each other"),
     ),
     "config": (
         ("sdfcheck config", "all keys of a configuration"),
