@@ -264,8 +264,8 @@ class _Files(NamedTuple):
     """The meshes that were read, by path, time and size, so that they are read once."""
 
     entries: dict[tuple[str, int, int], dict[str, Any]]
-    data: dict[str, str]
-    """Key of a mesh → its bytes in base64."""
+    data: dict[str, Json]
+    """Key of a mesh → its bytes in base64, and the files that give its colors."""
 
     def keep(self, keys: set[Any]) -> None:
         """Forget the others."""
@@ -294,8 +294,8 @@ class _LiveMeshes(Meshes):
             return self._known.entries[state]
         entry = super()._entry(document, uri, path)
         if "data" in entry:
-            data = entry.pop("data")
-            entry["key"] = sha256(base64.b64decode(data)).hexdigest()
+            data = {"data": entry.pop("data"), "files": entry.pop("files", {})}
+            entry["key"] = sha256(base64.b64decode(data["data"])).hexdigest()
             self._known.data[entry["key"]] = data
             if state is not None:
                 self._known.entries[state] = entry
@@ -425,7 +425,7 @@ class Beside:
         forms = {entry.get("key"): entry.get("format") for entry in files.entries.values()}
         for key in keys if isinstance(keys, list) else ():
             if isinstance(key, str) and key in files.data:
-                mesh = {"kind": "mesh", "key": key, "format": forms.get(key), "data": files.data[key]}
+                mesh = {"kind": "mesh", "key": key, "format": forms.get(key), **files.data[key]}
                 self._send(shown, json.dumps(mesh))
 
     # Documents

@@ -7,6 +7,7 @@ import math
 import re
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 import numpy as np
 from lxml import etree
@@ -86,7 +87,95 @@ class Meshes:
         if form == "dae" and not _is_well_formed(data):
             return {"name": name, "missing": "not well-formed"}
         self._left -= len(data)
-        return {"name": name, "format": form, "data": base64.b64encode(data).decode()}
+        entry = {"name": name, "format": form, "data": base64.b64encode(data).decode()}
+        return entry | self._beside(path, data, form, document)
+
+    def _beside(self, mesh: Path, data: bytes, form: str, document: Document) -> Json:
+        """The files beside a mesh that give its colors, by name, and a note for each that is not there."""
+        found: dict[str, str] = {}
+        notes: list[str] = []
+        materials = _LIBRARIES.findall(data) if form == "obj" else ()
+        texts = [self._text(mesh, name, document) for name in map(_decoded, materials)]
+        names = [_decoded(name) for text in texts for name in _MAPS.findall(text)]
+        if form == "dae":
+            names = _diffuse_images(data)
+        for name, text in zip(map(_decoded, materials), texts, strict=True):
+            if b"newmtl" in text:
+                found[_last(name)] = "data:text/plain;base64," + base64.b64encode(text).decode()
+            else:
+                notes.append(f"material library {_last(name)} is not found")
+        for name in dict.fromkeys(names):
+            picture = self._text(mesh, name, document)
+            kind = next((kind for start, kind in _PICTURES if re.match(start, picture, re.DOTALL)), None)
+            if kind:
+                found[_last(name)] = f"data:image/{kind};base64,{base64.b64encode(picture).decode()}"
+            else:
+                notes.append(
+                    f"texture {_last(name)} is {'not a picture that is shown' if picture else 'not found'}"
+                )
+        return {key: value for key, value in (("files", found), ("notes", notes)) if value}
+
+    def _text(self, mesh: Path, name: str, document: Document) -> bytes:
+        """A file that a mesh names, from its folder or from where Gazebo keeps textures; empty if it is not there."""
+        library = library_of(document)
+        named = name.removeprefix("file://").replace("\\", "/")
+        for path in (mesh.parent / named, mesh.parent / _last(name), mesh.parent / _TEXTURES / _last(name)):
+            try:
+                data = library.read(path, document, min(self._one, self._left)) if library else b""
+            except (OSError, ValueError):
+                continue
+            self._left -= len(data)
+            return data
+        return b""
+
+
+_LIBRARIES = re.compile(rb"^[ \t]*mtllib[ \t]+(\S.*?)[ \t\r]*$", re.MULTILINE)
+_MAPS = re.compile(
+    rb"^[ \t]*map_Kd[ \t]+(?:-\w+[ \t]+(?:[-+.\d]+[ \t]+|on[ \t]+|off[ \t]+)*)*(\S.*?)[ \t\r]*$", re.MULTILINE
+)
+_TEXTURES = "../materials/textures"
+_PICTURES = (
+    (rb"\x89PNG", "png"),
+    (rb"\xff\xd8\xff", "jpeg"),
+    (rb"GIF8", "gif"),
+    (rb"BM.{4}\0\0\0\0", "bmp"),
+    (rb"RIFF.{4}WEBP", "webp"),
+    (rb".[\0\1][\1\2\3\x09\x0a\x0b].{13}[\x08\x10\x18\x20]", "x-tga"),
+)
+"""How the pictures begin that the page shows."""
+
+
+def _decoded(name: bytes) -> str:
+    return name.decode("utf-8", "replace")
+
+
+def _last(name: str) -> str:
+    return re.split(r"[/\\]", name)[-1]
+
+
+def _diffuse_images(data: bytes) -> list[str]:
+    """The pictures that give the surfaces of a COLLADA file their colors, as it names them."""
+    root = etree.fromstring(data, _PARSER)
+    within = "{*}"
+    images = {
+        image.get("id"): start.text or ""
+        for image in root.iter(f"{within}image")
+        if (start := image.find(f".//{within}init_from")) is not None
+    }
+    names = []
+    for effect in root.iter(f"{within}effect"):
+        leads = {
+            parameter.get("sid"): (source.text or source.get("url", "").lstrip("#")).strip()
+            for parameter in effect.iter(f"{within}newparam")
+            for source in parameter.iter(f"{within}source", f"{within}init_from", f"{within}instance_image")
+        }
+        for texture in effect.iterfind(f".//{within}diffuse/{within}texture"):
+            name = texture.get("texture")
+            for _ in leads:
+                name = leads.get(name, name)
+            if name in images:
+                names.append(unquote(images[name].strip()))
+    return names
 
 
 def _is_mesh(form: str, data: bytes) -> bool:
@@ -101,10 +190,13 @@ def _is_mesh(form: str, data: bytes) -> bool:
     return data.startswith(b"glTF") or (data.lstrip().startswith(b"{") and b'"asset"' in data)
 
 
+_PARSER = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True)
+
+
 def _is_well_formed(data: bytes) -> bool:
     """Whether a page can read the XML; what browsers say of broken XML would be styled against the page's policy."""
     try:
-        etree.fromstring(data, etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True))
+        etree.fromstring(data, _PARSER)
     except etree.XMLSyntaxError:
         return False
     return True

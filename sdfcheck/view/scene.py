@@ -174,6 +174,7 @@ def _link(link: Link, made: Mechanism, meshes: Meshes) -> Json:
         "pose": flat(link.pose),
         "place": place(link.element),
         "shapes": [_shape(geometry, meshes) for geometry in link.geometries],
+        "mass": None if link.body is None else bound(link.body.mass),
         "inertia": _inertia(link.body),
         "sensors": [sensor_of(sensor) for sensor in has.sensors] if has is not None else [],
         "lights": [light_of(light) for light in has.lights] if has is not None else [],
@@ -192,17 +193,22 @@ def _shape(geometry: Geometry, meshes: Meshes) -> Json:
         "name": geometry.name,
         "size": [finite(number) for number in geometry.size],
         "pose": flat(geometry.pose),
-        "color": _color(geometry.element),
+        **_material(geometry.element),
         "mesh": meshes.add(geometry.element.document, geometry.uri) if geometry.uri else None,
     }
 
 
-def _color(element: Element) -> list[float] | None:
+def _material(element: Element) -> Json:
+    """The color and the name of the material of a visual; None where it has none."""
     part = root_of(element.document).part_of(element)
     if not isinstance(part, Visual):
-        return None
+        return {"color": None, "material": None}
     color = part.material.color
-    return [finite(number, 1.0) for number in color] if color is not None and len(color) == 4 else None
+    known = color is not None and len(color) == 4
+    return {
+        "color": [finite(number, 1.0) for number in color] if color is not None and known else None,
+        "material": part.material.name or None,
+    }
 
 
 def _inertia(body: MassProperties | None) -> Json | None:
@@ -218,7 +224,7 @@ def _inertia(body: MassProperties | None) -> Json | None:
     transform[:3, :3] = axes
     transform[:3, 3] = body.center
     return {
-        "mass": finite(body.mass),
+        "moments": [finite(body.moments[at]) for at in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))],
         "pose": flat(transform),
         "box": [finite(math.sqrt(side)) if side > 0 else 0.0 for side in sides],
         "isPossible": all(side >= -1e-9 * max(map(abs, sides), default=0.0) for side in sides),
@@ -244,6 +250,8 @@ def _axis(axis: Axis) -> Json:
         "direction": [finite(number) for number in np.asarray(axis.direction).tolist()],
         "lower": bound(axis.lower),
         "upper": bound(axis.upper),
+        "effort": bound(axis.effort),
+        "velocity": bound(axis.velocity),
         "mimic": None
         if mimic is None
         else {

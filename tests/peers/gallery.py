@@ -74,14 +74,20 @@ def beside_its_text(folder: Path) -> list[str]:
     return [FOLLOWED, str(file)]
 
 
+def as_it_is(folder: Path) -> list[str]:
+    """A robot without a mistake."""
+    return ["view", str(ARM)]
+
+
 FOLLOWED = "server"
 """In place of a command: the page is that of the language server."""
 GALLERY = (
-    Picture("wrong-inertia", wrong_inertia, ("#show-inertias:not(:checked)", "[data-part=forearm]")),
-    Picture("swapped-axis", swapped_axis, ("[data-part=right_wheel]",)),
-    Picture("mesh-in-millimeters", mesh_in_millimeters, ("[data-part=upper_arm]",)),
+    Picture("wrong-inertia", wrong_inertia, ("#tree [data-part=forearm]", "button:text-is('Fit')")),
+    Picture("swapped-axis", swapped_axis, ("#show-axes", "#tree [data-part=right_wheel]")),
+    Picture("mesh-in-millimeters", mesh_in_millimeters, ("#tree [data-part=upper_arm]",)),
     Picture("lost-collision", lost_collision),
-    Picture("beside", beside_its_text, ("button.entry[data-part=forearm]",)),
+    Picture("inspector", as_it_is, ("#tree [data-part=forearm]",)),
+    Picture("beside", beside_its_text, ("#tree [data-part=forearm]",)),
 )
 
 

@@ -106,7 +106,7 @@ def test_it_follows_and_keeps_camera_sliders_and_layers(beside: Beside) -> None:
     page.mouse.up()
     page.check("#show-frames")
     page.locator("input[data-joint=turn]").fill("0.5")
-    page.click("summary:has-text('Links of r')")
+    page.click("summary:has-text('Joints of r')")
     camera = beside.run("viewer.camera()")
     turned = beside.run("viewer.poses().r.left_arm")
     beside.type('xyz="0 0 0.2"', 'xyz="0 0 0.3"')
@@ -117,7 +117,7 @@ def test_it_follows_and_keeps_camera_sliders_and_layers(beside: Beside) -> None:
     assert moved[0] == pytest.approx(0.87758, abs=1e-4)
     assert page.locator("input[data-joint=turn]").input_value() == "0.5"
     assert page.is_checked("#show-frames")
-    assert page.locator("details:has(> summary:has-text('Links of r'))").get_attribute("open") is None
+    assert page.locator("details:has(> summary:has-text('Joints of r'))").get_attribute("open") is None
 
 
 def test_a_broken_text_leaves_the_last_robot_with_a_note(beside: Beside) -> None:
@@ -131,7 +131,7 @@ def test_a_broken_text_leaves_the_last_robot_with_a_note(beside: Beside) -> None
 
 def test_a_click_leads_to_the_line(beside: Beside) -> None:
     beside.editor.shown.clear()
-    beside.tab.page.click("button.entry[data-part=left_arm]")
+    beside.tab.page.click("#tree [data-part=left_arm]")
     waited(lambda: beside.editor.shown)
     (shown,) = beside.editor.shown
     assert shown["uri"] == beside.path.as_uri()
@@ -154,7 +154,7 @@ def test_a_click_in_the_picture_leads_to_the_line(beside: Beside) -> None:
 def test_the_cursor_marks_its_part(beside: Beside) -> None:
     line = ROBOT[: ROBOT.index("arm.obj")].count("\n")
     beside.editor.command("sdfcheck.cursor", beside.path, position={"line": line, "character": 20})
-    beside.waited("document.querySelector('.entry[aria-pressed=true]')?.dataset.part === 'left_arm'")
+    beside.waited("document.querySelector('[aria-selected=true]')?.dataset.part === 'left_arm'")
     assert beside.run("viewer.size()") == pytest.approx([1, 0.2, 0.1], abs=1e-3)
 
 
@@ -175,7 +175,7 @@ def test_arguments_are_chosen_in_the_view(beside: Beside) -> None:
     page.locator("#argument-side").press("Enter")
     beside.waited("viewer.poses().r.right_arm")
     page.locator("#argument-tall").select_option("true")
-    page.click("button.entry[data-part=base]")
+    page.click("#tree [data-part=base]")
     beside.waited("Math.abs(viewer.size()[2] - 2) < 1e-6")
     assert page.locator("#argument-side").input_value() == "right"
 

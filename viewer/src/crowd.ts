@@ -10,6 +10,7 @@ import {
   type Group,
   InstancedMesh,
   Matrix4,
+  Mesh,
   MeshLambertMaterial,
   PlaneGeometry,
   Quaternion,
@@ -17,6 +18,7 @@ import {
   Vector3,
 } from "three";
 import type { Shape } from "./data";
+import type { Manner } from "./robot";
 import { COLORS, type Look } from "./shapes";
 
 const TURNED = Math.PI / 2;
@@ -57,7 +59,11 @@ interface Member {
   link: Group;
   local: Matrix4;
   shape: Shape;
+  /** The layer's mesh has it no more: it is not drawn, or alone. */
+  isOut: boolean;
 }
+
+const NOWHERE = new Matrix4().makeScale(0, 0, 0);
 
 /** The shapes of the models of a scene, in the scene's frame. */
 export class Crowd {
@@ -75,7 +81,7 @@ export class Crowd {
     const { kind, scale, turn } = simplified(shape);
     const local = new Matrix4().fromArray(shape.pose).multiply(new Matrix4().compose(new Vector3(), turn, scale));
     const key = `${layer} ${kind}`;
-    const member = { link, local, shape };
+    const member = { link, local, shape, isOut: false };
     const known = this.members.get(key);
     if (known) known.push(member);
     else this.members.set(key, [member]);
@@ -97,24 +103,42 @@ export class Crowd {
       this.meshes.set(key, mesh);
       this.scene.add(mesh);
     }
+    this.scene.updateMatrixWorld(true);
     this.place(this.places.keys());
     for (const link of this.places.keys()) this.paint(link, () => "own", false);
     return [...this.meshes].map(([key, mesh]) => [key.split(" ")[0], mesh]);
   }
 
-  /** Puts the shapes of links where their links are. */
+  /** Puts the shapes of links where their links are, which know that themselves. */
   place(links: Iterable<Group>): void {
-    this.scene.updateMatrixWorld(true);
     const back = new Matrix4().copy(this.scene.matrixWorld).invert();
     for (const link of links)
-      for (const [mesh, index, { local }] of this.places.get(link) ?? []) {
-        mesh.setMatrixAt(index, new Matrix4().multiplyMatrices(back, link.matrixWorld).multiply(local));
+      for (const [mesh, index, { local, isOut }] of this.places.get(link) ?? []) {
+        const at = new Matrix4().multiplyMatrices(back, link.matrixWorld).multiply(local);
+        mesh.setMatrixAt(index, isOut ? NOWHERE : at);
         mesh.instanceMatrix.needsUpdate = true;
       }
     for (const mesh of this.meshes.values()) {
       mesh.boundingBox = null; // worked out again when it is asked for
       mesh.boundingSphere = null;
     }
+  }
+
+  /** Takes the shapes of a link out of the crowd, to be drawn alone as faint ones or not at all, or back into it. */
+  setManner(link: Group, manner: Manner): void {
+    for (const alone of link.children.filter((child) => child.userData.isAlone)) link.remove(alone);
+    for (const [mesh, , member] of this.places.get(link) ?? []) {
+      member.isOut = manner !== "shown";
+      if (manner !== "faint" || !mesh.visible) continue;
+      const [r, g, b] = member.shape.color ?? [0.7, 0.7, 0.75];
+      const color = new Color().setRGB(r, g, b);
+      const material = new MeshLambertMaterial({ color, transparent: true, opacity: 0.4, depthWrite: false });
+      const alone = new Mesh(mesh.geometry, material);
+      alone.userData.isAlone = true;
+      alone.applyMatrix4(member.local);
+      link.add(alone);
+    }
+    this.place([link]);
   }
 
   /** Gives each shape of a link its look. */
@@ -137,12 +161,10 @@ export class Crowd {
   /** What the shapes of a link take up in the world. */
   bounds(link: Group): Box3 {
     const all = new Box3();
-    for (const [mesh, index] of this.places.get(link) ?? []) {
-      const matrix = new Matrix4();
-      mesh.getMatrixAt(index, matrix);
-      mesh.geometry.computeBoundingBox();
-      const own = mesh.geometry.boundingBox as Box3;
-      all.union(own.clone().applyMatrix4(matrix).applyMatrix4(mesh.matrixWorld));
+    for (const [mesh, , member] of this.places.get(link) ?? []) {
+      if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
+      const own = (mesh.geometry.boundingBox as Box3).clone();
+      all.union(own.applyMatrix4(member.local).applyMatrix4(link.matrixWorld));
     }
     return all;
   }

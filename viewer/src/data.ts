@@ -14,6 +14,8 @@ export interface Axis {
   direction: [number, number, number];
   lower: number | null;
   upper: number | null;
+  effort: number | null;
+  velocity: number | null;
   mimic: Mimic | null;
 }
 
@@ -35,11 +37,13 @@ export interface Shape {
   size: number[];
   pose: Transform;
   color: [number, number, number, number] | null;
+  material: string | null;
   mesh: number | null;
 }
 
 export interface Inertia {
-  mass: number;
+  /** ixx, iyy, izz, ixy, ixz, iyz about the center of mass, along the axes of the link (kg·m²). */
+  moments: number[];
   pose: Transform;
   box: [number, number, number];
   isPossible: boolean;
@@ -69,6 +73,7 @@ export interface Link {
   pose: Transform;
   place: string;
   shapes: Shape[];
+  mass: number | null;
   inertia: Inertia | null;
   sensors: Sensor[];
   lights: Light[];
@@ -94,6 +99,9 @@ export interface Mesh {
   missing?: string;
   format?: "stl" | "obj" | "dae" | "gltf";
   data?: string;
+  /** Material libraries and pictures that it names, by the last part of their names, as addresses with data in them. */
+  files?: Record<string, string>;
+  notes?: string[];
   /** Of a robot that follows its text: what to ask the server for. */
   key?: string;
 }

@@ -1,6 +1,6 @@
 // Two robots: which of their shapes and links differ, and where they differ most.
 
-import type { Axis, Inertia, Joint, Mesh, Model, Shape, Transform } from "./data";
+import type { Axis, Joint, Link, Mesh, Model, Shape, Transform } from "./data";
 import { linkPoses, moves } from "./kinematics";
 
 const TOLERANCE = 1e-6;
@@ -24,9 +24,11 @@ function sameShape(a: Shape, b: Shape, meshes: Mesh[]): boolean {
   );
 }
 
-function sameInertia(a: Inertia | null, b: Inertia | null): boolean {
-  if (!a || !b) return a === b;
-  return near([a.mass, ...a.box, ...a.pose.slice(12, 15)], [b.mass, ...b.box, ...b.pose.slice(12, 15)]);
+function sameInertia(a: Link, b: Link): boolean {
+  if (!a.inertia || !b.inertia) return a.inertia === b.inertia;
+  const numbers = ({ mass, inertia }: Link): number[] =>
+    inertia ? [mass ?? 0, ...inertia.box, ...inertia.pose.slice(12, 15)] : [];
+  return near(numbers(a), numbers(b));
 }
 
 /** The shapes of either model that the other does not have so, and the links whose inertia differs. */
@@ -44,7 +46,7 @@ export function differing(a: Model, b: Model, meshes: Mesh[]): { shapes: Set<Sha
     }
     for (const shape of left) shapes.add(shape);
     const other = others.get(link.name);
-    if (other && !sameInertia(link.inertia, other.inertia)) inertias.add(link.name);
+    if (other && !sameInertia(link, other)) inertias.add(link.name);
   }
   for (const link of b.links) if (!own.has(link.name)) for (const shape of link.shapes) shapes.add(shape);
   return { shapes, inertias };

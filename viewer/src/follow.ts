@@ -4,6 +4,7 @@ import type { Object3D } from "three";
 import type { Mesh, Page, Place } from "./data";
 import type { Viewer } from "./main";
 import { Meshes } from "./meshes";
+import type { Pointer } from "./pointer";
 import type { Stage } from "./stage";
 
 /** What the page tells the server. */
@@ -18,7 +19,7 @@ export type Say = (word: Word) => void;
 type News =
   | { kind: "robot"; page: Page; note: string }
   | { kind: "note"; note: string }
-  | { kind: "mesh"; key: string; format: Mesh["format"]; data: string }
+  | ({ kind: "mesh"; key: string } & Pick<Mesh, "format" | "data" | "files">)
   | { kind: "cursor"; places: Place[] };
 
 interface Editor {
@@ -45,7 +46,7 @@ function connected(how: "http" | "editor", take: (news: News) => void, lost: (is
 }
 
 /** Shows the robot on a stage, each in a new `View`, and again whenever the server sends one. */
-export function follow(how: "http" | "editor", stage: Stage, View: typeof Viewer): void {
+export function follow(how: "http" | "editor", stage: Stage, pointer: Pointer, View: typeof Viewer): void {
   const known = new Map<string, Object3D | null>();
   const waited = new Set<string>();
   const note = document.getElementById("note") as HTMLElement;
@@ -64,7 +65,8 @@ export function follow(how: "http" | "editor", stage: Stage, View: typeof Viewer
     if (page !== latest) return; // a newer one waits
     const kept = viewer?.kept() ?? null;
     stage.clear();
-    viewer = new View({ ...page, live: how }, stage, meshes, kept, say);
+    viewer = new View({ ...page, live: how }, stage, meshes, pointer, kept, say);
+    viewer.finish();
     Object.assign(window, { viewer });
     document.documentElement.dataset.ready = String(Number(document.documentElement.dataset.ready ?? 0) + 1);
     const missing = page.meshes.flatMap(({ key }) => (key && !known.has(key) && !waited.has(key) ? [key] : []));

@@ -1,10 +1,10 @@
 // Words in the picture.
 
-import { CanvasTexture, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
+import { CanvasTexture, OrthographicCamera, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
 
 const MOST = 48; // letters
 const PIXELS = 26;
-const HEIGHT = 0.03; // of the picture's height, about
+const HEIGHT = 0.024; // of the picture's height, about
 
 /** A text of constant size that faces the camera and is never hidden. */
 export function label(text: string, color: string): Sprite {
@@ -24,7 +24,15 @@ export function label(text: string, color: string): Sprite {
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, sizeAttenuation: false }));
-  sprite.scale.set((HEIGHT * canvas.width) / canvas.height, HEIGHT, 1);
+  const scale = (height: number): void => {
+    if (sprite.scale.y === height) return;
+    sprite.scale.set((height * canvas.width) / canvas.height, height, 1);
+    sprite.updateMatrixWorld();
+  };
+  scale(HEIGHT);
+  // Without perspective a size is one of the world.
+  sprite.onBeforeRender = (_renderer, _world, camera) =>
+    scale(HEIGHT * (camera instanceof OrthographicCamera ? ((camera.top - camera.bottom) / camera.zoom) * 1.2 : 1));
   sprite.center.set(0.5, -0.8);
   sprite.renderOrder = 10;
   return sprite;

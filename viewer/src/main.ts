@@ -3,15 +3,20 @@
 import { Box3, Group, type Object3D, Vector3 } from "three";
 import { follow, type Say } from "./follow";
 import { Crowd } from "./crowd";
-import type { Model, Page, Place, Shape } from "./data";
+import type { Joint, Model, Page, Place, Shape } from "./data";
 import { counterpart, differing, farthest, moved } from "./difference";
+import { ofJoint, ofLink, ofModel } from "./inspect";
 import { label, meters } from "./labels";
+import { made } from "./made";
 import { lightOf } from "./markers";
 import { Meshes } from "./meshes";
-import { type Actions, type Mode, type Moved, movable, Panel, type Unfolded } from "./panel";
-import { LAYERS, type Layer, Robot } from "./robot";
+import { type Actions, type Deed, Panel, Tools, type Unfolded } from "./panel";
+import { type Hand, movedBy, Pointer } from "./pointer";
+import { LAYERS, type Layer, type Manner, Robot } from "./robot";
 import { type Look, Palette } from "./shapes";
-import { Stage, VIEWS } from "./stage";
+import { movable, type Moved } from "./sliders";
+import { type Hit, Stage, VIEWS } from "./stage";
+import { fragmentOf, key, type Mode, type State, stateOf } from "./state";
 
 /** A file as it is drawn. */
 interface Drawn {
@@ -32,42 +37,44 @@ interface Pair {
 }
 
 const SEVERAL = 300; // shapes, beyond which those of a kind are drawn together
-const MANY = 200; // joints or links, beyond which what marks them is not shown unasked
+const OFTEN = 300; // ms: the address changes no more often
+const OF_SELECTED: Layer[] = ["inertias", "frames", "axes", "sensors", "empty links"];
 
 /** What a person has set, so that the next robot is shown in the same way. */
-export interface Kept {
-  layers: Set<Layer>;
-  mode: Mode;
-  /** Model → the positions of its joints. */
-  positions: Map<string, Map<string, number[]>>;
-  places: Place[];
+export interface Kept extends State {
   unfolded: Unfolded;
 }
 
 const COLORS = { error: "#a50000", warning: "#8f5200", info: "#1864ab" };
 
-export class Viewer implements Actions {
+export class Viewer implements Actions, Hand {
   private readonly scenes: Drawn[];
+  private readonly robots: Robot[];
+  private readonly byModel: Map<string, Robot>;
   private readonly pairs: Pair[] = [];
-  private layers = new Set<Layer>(["visuals", "lights"]);
   private readonly panel: Panel;
-  private mode: Mode = "side by side";
-  private places: Place[] = [];
+  private readonly tools: Tools;
+  /** What is shown at first. */
+  private readonly plain: Set<Layer>;
+  private state: State;
+  /** The layer of the selected part that a finding is about. */
+  private about: string | null = null;
+  private written = 0;
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  isMoving = false;
+  isMeasuring = false;
 
   /** `kept`: what a person has set before; `say`: tells the server, if the robot follows its text. */
   constructor(
     private readonly page: Page,
     private readonly stage: Stage,
-    meshes: Meshes,
+    private readonly meshes: Meshes,
+    private readonly pointer: Pointer,
     kept: Kept | null = null,
     private readonly say: Say = () => {},
   ) {
-    const models = page.scenes.flatMap((scene) => scene.models);
     const shapes = shapesOf(page);
     const palette = new Palette();
-    if (models.reduce((sum, model) => sum + model.joints.length, 0) <= MANY) this.layers.add("axes");
-    const empty = models.flatMap((model) => model.links).filter((link) => !link.shapes.length);
-    if (empty.length <= MANY) this.layers.add("empty links");
     this.scenes = page.scenes.map((scene) => {
       const group = new Group();
       stage.content.add(group);
@@ -78,84 +85,277 @@ export class Viewer implements Actions {
       for (const light of lights) group.add(light);
       return { group, robots, lights, crowd: crowd?.build() ?? [] };
     });
-    this.panel = new Panel(document.getElementById("panel") as HTMLElement, page, this);
+    this.robots = this.scenes.flatMap((scene) => scene.robots);
+    this.byModel = new Map([...this.robots].reverse().map((robot) => [robot.model.name, robot]));
     this.compare();
-    this.showFindings();
-    if (kept) this.keep(kept);
-    const notes = [...page.scenes.flatMap((scene) => scene.notes), ...meshes.notes()];
-    this.panel.fill(this.sliders(), notes, this.layers, Object.keys(VIEWS));
-    for (const layer of LAYERS) this.show(layer, this.layers.has(layer));
-    this.arrange();
-    if (page.live) this.markFindings();
+    this.plain = this.shownAtFirst();
+    this.state = kept ?? stateOf(this.hasAddress ? location.hash : "", this.plain, this.linkKeys());
+    this.panel = new Panel(document.getElementById("panel") as HTMLElement, page, this);
+    this.tools = new Tools(document.getElementById("tools") as HTMLElement, layersOf(page), Object.keys(VIEWS), this.toggles(), this);
+    this.panel.fill(this.sliders(), this.state.mode);
+    pointer.hand = this;
+    document.onkeydown = (event) => this.pressed(event);
     stage.onLook = () => this.legend();
-    if (kept) {
-      this.panel.unfold(kept.unfolded);
-      this.point(kept.places, false);
-      this.legend();
-    } else stage.resize();
-    stage.draw();
-    stage.onPick = (link) => {
-      const robot = link.userData.robot as Robot;
-      this.select({ model: robot.model.name, part: link.userData.link as string });
-    };
+    stage.onTurn = () => this.remember();
+    meshes.onPicture = () => stage.draw();
+    this.restore(this.state);
+    if (kept) this.panel.unfold(kept.unfolded);
+    else if (this.hasAddress) window.onhashchange = () => this.restore(stateOf(location.hash, this.plain, this.linkKeys()));
+  }
+
+  /** Draws meshes that were read since. */
+  grow(numbers: number[]): void {
+    if (!this.robots.filter((robot) => robot.fill(numbers)).length) return;
+    this.paint();
+    this.stage.look();
+    this.stage.drawNow();
+    performance.mark("picture");
+  }
+
+  /** Is called when all meshes are there. */
+  finish(): void {
+    for (const robot of this.robots) robot.finish();
+    this.panel.tell([...this.page.scenes.flatMap((scene) => scene.notes), ...this.meshes.notes()]);
+    this.arrange();
+    if (this.page.live) this.markFindings();
+    this.point(this.state.places, this.state.places.length > 0 && !this.page.live);
+    this.stage.look();
+    this.stage.drawNow();
+    this.legend();
+  }
+
+  /** Numbers of the meshes of shapes that are shown. */
+  wanted(): Set<number> {
+    const shown = new Set<string>([...this.state.layers].map((layer) => layer.slice(0, -1)));
+    const shapes = this.robots.flatMap((robot) => robot.model.links.flatMap((link) => link.shapes));
+    return new Set(shapes.flatMap(({ role, mesh }) => (mesh !== null && shown.has(role) ? [mesh] : [])));
   }
 
   /** What a person has set. */
   kept(): Kept {
-    const robots = this.scenes.flatMap((scene) => scene.robots);
-    const { layers, mode, places } = this;
-    const positions = new Map(robots.map((robot) => [robot.model.name, robot.positions]));
-    return { layers, mode, places, positions, unfolded: this.panel.unfolded() };
+    const positions = new Map(this.robots.map((robot) => [robot.model.name, robot.positions]));
+    return { ...this.state, positions, unfolded: this.panel.unfolded() };
   }
 
-  private keep(kept: Kept): void {
-    this.layers = kept.layers;
-    this.mode = kept.mode;
-    for (const robot of this.scenes.flatMap((scene) => scene.robots)) {
+  private get hasAddress(): boolean {
+    return !this.page.live && location.protocol !== "about:";
+  }
+
+  private linkKeys(): string[] {
+    return this.robots.flatMap(({ model }) => model.links.map((link) => key(model.name, link.name)));
+  }
+
+  /** Shows what a person had set. */
+  private restore(state: State): void {
+    this.state = state;
+    for (const robot of this.robots) {
       const joints = new Set(robot.model.joints.map((joint) => joint.name));
-      for (const [name, values] of kept.positions.get(robot.model.name) ?? [])
+      robot.positions.clear();
+      for (const [name, values] of state.positions.get(robot.model.name) ?? [])
         if (joints.has(name)) robot.positions.set(name, values);
       robot.move();
     }
+    for (const pair of this.pairs) pair.moved = moved(pair.first.model, pair.second.model, pair.first.positions);
+    for (const layer of LAYERS) this.show(layer, state.layers.has(layer));
+    this.tools.setLayers(state.layers);
+    this.panel.refresh();
+    this.setManners();
+    this.arrange();
+    this.stage.setFlat(state.isFlat);
+    this.stage.resize();
+    if (state.camera) this.stage.see(state.camera);
+    this.point(state.places, true);
+    this.showToggles();
+    this.stage.drawNow();
+  }
+
+  /** Writes what is set into the address, soon. */
+  private remember(): void {
+    this.state.camera = this.stage.isHeld ? this.stage.seen() : null;
+    if (!this.hasAddress || this.timer) return;
+    const wait = Math.max(0, this.written + OFTEN - performance.now());
+    const write = (): void => {
+      this.timer = null;
+      this.written = performance.now();
+      history.replaceState(null, "", `#${fragmentOf(this.kept(), this.plain, this.linkKeys())}`);
+    };
+    if (wait) this.timer = setTimeout(write, wait);
+    else write();
   }
 
   // What the panel asks for.
 
   layer(layer: Layer, visible: boolean): void {
-    if (visible) this.layers.add(layer);
-    else this.layers.delete(layer);
+    if (visible) this.state.layers.add(layer);
+    else this.state.layers.delete(layer);
     this.show(layer, visible);
+    this.setManners(layer);
     this.paint();
     this.stage.look();
     this.stage.draw();
+    this.remember();
   }
 
   view(name: string): void {
     this.stage.look(VIEWS[name], true);
+    this.stage.isHeld = name !== "Fit";
+    this.remember();
   }
 
   arrangeAs(mode: Mode): void {
-    this.mode = mode;
+    this.state.mode = mode;
     this.arrange();
-    this.stage.look(VIEWS.Fit, true);
+    this.view("Fit");
   }
 
   select(place: Place, layer: string | null = null, finding?: number): void {
-    if (layer) this.panel.turnOn(layer);
+    this.about = layer;
     this.point([place]);
     this.say({ kind: "picked", ...place, ...(finding === undefined ? {} : { finding }) });
-    if (this.page.live) return;
-    const chosen = Object.entries(place).filter((entry): entry is [string, string] => entry[1] !== null);
-    if (location.protocol !== "about:") history.replaceState(null, "", `#${new URLSearchParams(chosen)}`);
+    this.remember();
   }
 
   choose(values: Record<string, string>): void {
     this.say({ kind: "arguments", values });
   }
 
+  mannerOf({ model, part }: Place): Manner {
+    const { hidden, faint } = this.state;
+    if (!hidden.size && !faint.size) return "shown";
+    const keys = part === null ? [...(this.byModel.get(model ?? "")?.links.keys() ?? [])] : [part];
+    if (keys.length && keys.every((link) => hidden.has(key(model ?? "", link)))) return "hidden";
+    return keys.length && keys.every((link) => faint.has(key(model ?? "", link))) ? "faint" : "shown";
+  }
+
+  do(deed: Deed, place?: Place): void {
+    const places = place ? [place] : this.state.places;
+    const keys = places.flatMap((each) => this.linksOf(each).map(([robot, link]) => key(robot.model.name, link)));
+    const { hidden, faint } = this.state;
+    if (deed === "zoom") {
+      const bounds = places.length ? this.boundsOf(places[0]) : null;
+      if (bounds) this.stage.lookAt(bounds);
+    } else if (deed === "show all") {
+      hidden.clear();
+      faint.clear();
+    } else if (deed === "isolate" && keys.length) {
+      const others = this.linkKeys().filter((link) => !keys.includes(link));
+      const isAlone = others.every((link) => hidden.has(link));
+      hidden.clear();
+      if (!isAlone) for (const link of others) hidden.add(link);
+    } else {
+      const set = deed === "hide" ? hidden : faint;
+      const isIn = keys.every((link) => set.has(link));
+      for (const link of keys)
+        if (isIn) set.delete(link);
+        else set.add(link);
+    }
+    this.setManners();
+    this.paint();
+    this.panel.drawTree();
+    this.showToggles();
+    this.stage.draw();
+    this.remember();
+  }
+
+  // What the pointer asks for.
+
+  pick(hit: Hit | null): void {
+    const robot = hit?.link.userData.robot as Robot | undefined;
+    if (robot) this.select({ model: robot.model.name, part: hit?.link.userData.link as string });
+    else if (!this.page.live) this.deselect();
+  }
+
+  name({ link }: Hit): string {
+    const robot = link.userData.robot as Robot;
+    const name = link.userData.link as string;
+    const joint = robot.model.joints.find((each) => each.child === name);
+    const model = this.robots.length > 1 ? `${robot.model.name}: ` : "";
+    const moves = this.isMoving ? movedBy(robot, name) : null;
+    if (this.isMoving) return moves ? `${name}: drag to move ${moves.joint.name}` : `${name}: no joint moves it`;
+    return `${model}${name}${joint ? ` — ${joint.name} (${joint.kind})` : ""}`;
+  }
+
+  moved(robot: Robot, joint: Joint): void {
+    const pair = this.pairs.find(({ first, second }) => first === robot || second === robot);
+    if (pair?.second === robot) pair.first.positions.set(joint.name, robot.positions.get(joint.name) ?? []);
+    this.follow(pair?.first ?? robot, pair);
+    this.panel.refresh();
+  }
+
+  measured(words: string): void {
+    this.tools.measured.textContent = words;
+  }
+
+  private deselect(): void {
+    this.about = null;
+    this.point([]);
+    this.remember();
+  }
+
+  private toggles(): Record<string, [hint: string, action: () => void]> {
+    return {
+      Orthographic: ["Draw without perspective (P)", () => this.flatten()],
+      "Move joints": ["Drag links to move their joints (J); Shift and drag does it, too", () => this.toggle("isMoving")],
+      Measure: ["Measure between two points (M)", () => this.toggle("isMeasuring")],
+      "Show all": ["Show hidden links again (A)", () => this.do("show all")],
+    };
+  }
+
+  private showToggles(): void {
+    this.tools.setSwitch("Orthographic", this.stage.isFlat);
+    this.tools.setSwitch("Move joints", this.isMoving);
+    this.tools.setSwitch("Measure", this.isMeasuring);
+    this.tools.setSwitch("Show all", this.state.hidden.size + this.state.faint.size > 0 || null);
+  }
+
+  private flatten(): void {
+    this.state.isFlat = !this.stage.isFlat;
+    this.stage.setFlat(this.state.isFlat);
+    this.showToggles();
+    this.remember();
+  }
+
+  private toggle(tool: "isMoving" | "isMeasuring"): void {
+    const isOn = !this[tool];
+    this.isMoving = this.isMeasuring = false;
+    this[tool] = isOn;
+    this.pointer.clear();
+    this.measured(this.isMeasuring ? "Choose two points." : "");
+    this.showToggles();
+  }
+
+  private pressed(event: KeyboardEvent): void {
+    const { target } = event;
+    const isTyping =
+      target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && !["range", "checkbox", "radio"].includes(target.type));
+    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    const deeds: Record<string, () => void> = {
+      h: () => this.do("hide"),
+      i: () => this.do("isolate"),
+      t: () => this.do("faint"),
+      z: () => this.do("zoom"),
+      a: () => this.do("show all"),
+      f: () => this.view("Fit"),
+      p: () => this.flatten(),
+      m: () => this.toggle("isMeasuring"),
+      j: () => this.toggle("isMoving"),
+      "/": () => this.panel.seek(),
+      Escape: () => {
+        if (this.isMeasuring) this.toggle("isMeasuring");
+        else if (this.isMoving) this.toggle("isMoving");
+        else this.deselect();
+      },
+    };
+    const deed = deeds[event.key] ?? deeds[event.key.toLowerCase()];
+    if (!deed) return;
+    event.preventDefault();
+    deed();
+  }
+
   /** Marks parts, in the picture and in the lists. */
   point(places: Place[], reveal = true): void {
-    this.places = places;
+    this.state.places = places;
+    this.revealSelected();
     this.stage.mark(
       places.flatMap((place): [string, Box3][] => {
         const bounds = this.boundsOf(place);
@@ -163,6 +363,46 @@ export class Viewer implements Actions {
       }),
     );
     this.panel.highlight(places, reveal);
+    this.inspect();
+  }
+
+  /** Shows inertia, frame and axis of selected links, their collisions if there is nothing else, and what a finding is about. */
+  private revealSelected(): void {
+    const revealed = new Map<Robot, Map<string, Layer[]>>();
+    for (const place of this.state.places)
+      if (place.part !== null)
+        for (const [robot, link] of this.linksOf(place)) {
+          const layers = robot.links.has(place.part) ? [...OF_SELECTED] : (["frames", "axes"] as Layer[]);
+          const shapes = robot.model.links.find(({ name }) => name === link)?.shapes ?? [];
+          if (!shapes.some((shape) => shape.role === "visual")) layers.push("collisions");
+          if (this.about) layers.push(this.about as Layer);
+          revealed.set(robot, (revealed.get(robot) ?? new Map<string, Layer[]>()).set(link, layers));
+        }
+    for (const robot of this.robots) robot.reveal(revealed.get(robot) ?? new Map());
+    this.stage.draw();
+  }
+
+  /** Shows what is known of the first of the selected parts. */
+  private inspect(): void {
+    const [place] = this.state.places as (Place | undefined)[];
+    const robot = place && this.robots.find(({ model, links }) =>
+      place.model === null ? links.has(place.part ?? "") : model.name === place.model);
+    if (!place || !robot) return this.panel.inspect("", [], false);
+    const { model, positions } = robot;
+    const link = model.links.find((each) => each.name === place.part);
+    const joint = model.joints.find((each) => each.name === place.part);
+    if (link) this.panel.inspect(link.name, ofLink(model, link, positions, this.page.meshes), true);
+    else if (joint) this.panel.inspect(joint.name, ofJoint(model, joint, positions), true);
+    else this.panel.inspect(model.name, ofModel(model), true);
+  }
+
+  /** The links of a place, of a joint its child, of a model all. */
+  private linksOf({ model, part }: Place): [Robot, string][] {
+    const robots = this.robots.filter((robot) => model === null || robot.model.name === model);
+    return robots.flatMap((robot): [Robot, string][] => {
+      const links = part === null ? [...robot.links.values()] : [robot.linkOf(part)];
+      return links.flatMap((link): [Robot, string][] => (link ? [[robot, link.userData.link as string]] : []));
+    });
   }
 
   /** What a part takes up; null where there is no such part. */
@@ -191,7 +431,7 @@ export class Viewer implements Actions {
   private markFindings(): void {
     const codes = new Map<Group, { robot: Robot; words: Set<string>; color: string }>();
     for (const { model, part, code, severity } of this.page.findings)
-      for (const robot of this.scenes.flatMap((scene) => scene.robots)) {
+      for (const robot of this.robots) {
         const link = part !== null && robot.model.name === model ? robot.linkOf(part) : undefined;
         if (!link || severity === "info") continue;
         const known = codes.get(link) ?? { robot, words: new Set(), color: COLORS[severity] };
@@ -239,16 +479,18 @@ export class Viewer implements Actions {
       if (!second) continue;
       const { shapes, inertias } = differing(first.model, second.model, this.page.meshes);
       this.pairs.push({ first, second, shapes, inertias, moved: moved(first.model, second.model, new Map()) });
-      if ([...shapes].some((shape) => shape.role === "collision")) this.layers.add("collisions");
-      if (inertias.size) this.layers.add("inertias");
     }
   }
 
-  /** Shows what findings are about, where it is not shown anyway. */
-  private showFindings(): void {
-    for (const { layer, severity } of this.page.findings)
-      if (severity !== "info" && (layer === "inertias" || layer === "collisions" || layer === "sensors"))
-        this.layers.add(layer);
+  /** Only what consumers of the robot see, and what differs; where nothing would be seen, what there is. */
+  private shownAtFirst(): Set<Layer> {
+    const links = this.robots.flatMap((robot) => robot.model.links);
+    const has = (role: Shape["role"]): boolean => links.some((link) => link.shapes.some((shape) => shape.role === role));
+    const shown = new Set<Layer>(["visuals"]);
+    const differs = this.pairs.some(({ shapes }) => [...shapes].some((shape) => shape.role === "collision"));
+    if (!has("visual") || differs) shown.add("collisions");
+    if (!has("visual") && !has("collision")) shown.add("empty links");
+    return shown;
   }
 
   private sliders(): Moved[] {
@@ -263,13 +505,14 @@ export class Viewer implements Actions {
           model: robot.model,
           joints: movable(robot.model, pair?.second.model),
           positions,
-          changed: () => this.moved(robot, pair),
+          changed: () => this.follow(robot, pair),
           differMost: pair ? () => this.differMost(pair, positions) : null,
         };
       });
   }
 
-  private moved(robot: Robot, pair: Pair | undefined): void {
+  /** Puts links where the positions of joints say. */
+  private follow(robot: Robot, pair: Pair | undefined): void {
     robot.move();
     if (pair) {
       pair.second.positions.clear();
@@ -278,7 +521,9 @@ export class Viewer implements Actions {
       pair.moved = moved(robot.model, pair.second.model, robot.positions);
       this.paint();
     }
+    this.inspect();
     this.stage.draw();
+    this.remember();
   }
 
   private differMost(pair: Pair, positions: Map<string, number[]>): string {
@@ -297,15 +542,26 @@ export class Viewer implements Actions {
     }
   }
 
+  private setManners(layer?: Layer): void {
+    const { hidden, faint } = this.state;
+    const has = layer === undefined || layer === "visuals" || layer === "collisions";
+    if (!has) return;
+    for (const robot of this.robots)
+      robot.setManners((link) => {
+        const name = key(robot.model.name, link);
+        return hidden.has(name) ? "hidden" : faint.has(name) ? "faint" : "shown";
+      });
+  }
+
   /** Puts two robots beside or over each other, and shows which are asked for. */
   private arrange(): void {
     const [first, second] = this.scenes;
     if (second) {
-      first.group.visible = this.mode !== "only the second";
-      second.group.visible = this.mode !== "only the first";
+      first.group.visible = this.state.mode !== "only the second";
+      second.group.visible = this.state.mode !== "only the first";
       second.group.position.set(0, 0, 0);
       second.group.updateMatrixWorld(true);
-      if (this.mode === "side by side") {
+      if (this.state.mode === "side by side") {
         const [a, b] = [first, second].map((scene) => this.taken(scene));
         const wide = [a, b].flatMap((box) => box.getSize(new Vector3()).toArray().slice(0, 2));
         second.group.position.y = a.max.y - b.min.y + Math.max(...wide) * 0.7;
@@ -318,14 +574,14 @@ export class Viewer implements Actions {
   /** What the robots of a scene take up. */
   private taken(scene: Drawn): Box3 {
     const all = new Box3();
-    for (const robot of scene.robots) for (const link of robot.links.values()) all.union(robot.bounds(link));
+    for (const robot of scene.robots) for (const link of robot.links.values()) all.union(robot.bounds(link, true));
     if (all.isEmpty()) all.set(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
     return all;
   }
 
   private paint(): void {
-    const isOver = this.mode === "over each other";
-    const seeThrough = isOver || this.layers.has("inertias") || this.layers.has("collisions");
+    const isOver = this.state.mode === "over each other";
+    const seeThrough = isOver || this.state.layers.has("inertias") || this.state.layers.has("collisions");
     const paired = new Map<Robot, [Pair, Look]>();
     for (const pair of this.pairs) {
       paired.set(pair.first, [pair, "before"]);
@@ -397,20 +653,61 @@ function shapesOf(page: Page): number {
   return links.reduce((sum, link) => sum + link.shapes.length, 0);
 }
 
+/** The layers that show something of these robots. */
+function layersOf(page: Page): Layer[] {
+  const models = page.scenes.flatMap((scene) => scene.models);
+  const links = models.flatMap((model) => model.links);
+  const has: Record<Layer, () => boolean> = {
+    visuals: () => true,
+    collisions: () => links.some((link) => link.shapes.some((shape) => shape.role === "collision")),
+    inertias: () => links.some((link) => link.inertia),
+    axes: () => models.some((model) => model.joints.some((joint) => joint.axes.length)),
+    frames: () => true,
+    sensors: () => links.some((link) => link.sensors.length),
+    lights: () => page.scenes.some((scene) => scene.lights.length) || links.some((link) => link.lights.length),
+    "empty links": () => links.some((link) => !link.shapes.length),
+  };
+  return LAYERS.filter((layer) => has[layer]());
+}
+
+/** The picture as paper has it: what a canvas shows is not printed everywhere. */
+function print(stage: Stage): void {
+  let picture: HTMLImageElement | null = null;
+  addEventListener("beforeprint", () => {
+    stage.drawNow();
+    picture = made("img", { alt: "The robot", src: stage.canvas.toDataURL() });
+    stage.canvas.after(picture);
+  });
+  addEventListener("afterprint", () => picture?.remove());
+}
+
+/** Lets the panel be folded; where there is little room, it is at first. */
+function fold(button: HTMLButtonElement): void {
+  const set = (isOpen: boolean): void => {
+    document.body.classList.toggle("folded", !isOpen);
+    button.setAttribute("aria-expanded", String(isOpen));
+  };
+  button.addEventListener("click", () => set(document.body.classList.contains("folded")));
+  set(innerWidth > NARROW);
+}
+
+const NARROW = 820; // pixels
+
 async function start(page: Page): Promise<void> {
+  fold(document.getElementById("fold") as HTMLButtonElement);
   const stage = new Stage(document.querySelector("canvas") as HTMLCanvasElement, shapesOf(page) <= page.mostShapes);
+  const pointer = new Pointer(stage);
   (document.getElementById("no-webgl") as HTMLElement).hidden = stage.works;
+  print(stage);
   if (page.live) {
-    follow(page.live, stage, Viewer);
+    follow(page.live, stage, pointer, Viewer);
     return;
   }
   const meshes = new Meshes(page.meshes);
-  await meshes.load();
-  const viewer = new Viewer(page, stage, meshes);
-  const chosen = new URLSearchParams(location.hash.slice(1));
-  if (chosen.has("part") || chosen.has("model"))
-    viewer.select({ model: chosen.get("model"), part: chosen.get("part") });
+  const viewer = new Viewer(page, stage, meshes, pointer);
   Object.assign(window, { viewer });
+  await meshes.load(viewer.wanted(), (numbers) => viewer.grow(numbers));
+  viewer.finish();
   document.documentElement.dataset.ready = "true";
 }
 

@@ -49,7 +49,8 @@ function lines(points: number[], color: number): LineSegments {
 }
 
 function seeThrough(color: number, opacity: number): MeshBasicMaterial {
-  return new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });
+  const offset = { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 }; // it may be as large as the shape
+  return new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false, ...offset });
 }
 
 const LARGEST = 1e5; // m; larger boxes, of inertias that stand for infinity, are drawn so large
@@ -115,13 +116,17 @@ export function emptyLinkOf(unit: number): Object3D {
   return new Group().add(new Mesh(geometry, seeThrough(0x868e96, 0.3)), edges);
 }
 
+const REACH = 8; // sizes of an ordinary link: fields of view are not drawn any farther
+
 /** The field of view of a sensor as lines, x forward; a small ball for one that sees nothing. */
 export function fieldOf(sensor: Sensor, unit: number): Object3D {
   const { view } = sensor;
   const points: number[] = [];
+  const reach = unit * REACH;
   if (view?.kind === "camera") {
     const half = Math.tan(Math.min(view.horizontal, 3) / 2);
-    for (const at of [view.near, view.far]) {
+    const far = Math.min(view.far, reach / Math.hypot(1, half, half / view.aspect)); // no corner is farther away
+    for (const at of [Math.min(view.near, far), far]) {
       const [side, up] = [half * at, (half * at) / view.aspect];
       const corners = [
         [side, up],
@@ -132,16 +137,17 @@ export function fieldOf(sensor: Sensor, unit: number): Object3D {
       corners.forEach(([y, z], index) => {
         const [nextY, nextZ] = corners[(index + 1) % 4];
         points.push(at, y, z, at, nextY, nextZ);
-        if (at === view.far) points.push(0, 0, 0, at, y, z);
+        if (at === far) points.push(0, 0, 0, at, y, z);
       });
     }
   } else if (view?.kind === "scan") {
     const steps = 48;
+    const far = Math.min(view.far, reach);
     for (const tilt of new Set([view.down, view.up])) {
       const at = (angle: number): number[] => [
-        Math.cos(angle) * Math.cos(tilt) * view.far,
-        Math.sin(angle) * Math.cos(tilt) * view.far,
-        Math.sin(tilt) * view.far,
+        Math.cos(angle) * Math.cos(tilt) * far,
+        Math.sin(angle) * Math.cos(tilt) * far,
+        Math.sin(tilt) * far,
       ];
       for (let step = 0; step < steps; step++) {
         const [a, b] = [step, step + 1].map((one) => view.from + ((view.to - view.from) * one) / steps);
@@ -153,7 +159,9 @@ export function fieldOf(sensor: Sensor, unit: number): Object3D {
   } else {
     return onTop(new Mesh(new SphereGeometry(unit * 0.1, 8, 6), new MeshBasicMaterial({ color: COLORS.sensor })));
   }
-  return lines(points, COLORS.sensor);
+  const all = lines(points, COLORS.sensor);
+  all.userData.isAside = true;
+  return all;
 }
 
 /** A light: a ball, with an arrow where it shines to one side, and the cone of a spot. */

@@ -92,7 +92,8 @@ export class Palette {
   }
 
   /** A mesh's own material, as it lets others be seen. */
-  faint(material: MeshLambertMaterial): Material {
+  faint<T extends Material | Material[]>(material: T): T {
+    if (Array.isArray(material)) return material.map((each) => this.faint<Material>(each)) as T;
     let found = this.made.get(material.uuid);
     if (!found) {
       found = material.clone();
@@ -101,7 +102,7 @@ export class Palette {
       found.depthWrite = false;
       this.made.set(material.uuid, found);
     }
-    return found;
+    return found as T;
   }
 }
 

@@ -8,10 +8,12 @@ import {
   DirectionalLight,
   GridHelper,
   Group,
+  type Intersection,
   InstancedMesh,
   Line,
   Mesh,
   Object3D,
+  OrthographicCamera,
   PerspectiveCamera,
   Raycaster,
   Sphere,
@@ -54,43 +56,71 @@ function visibleBounds(object: Object3D, all = new Box3()): Box3 {
   return all;
 }
 
+/** What is under the pointer. */
+export interface Hit {
+  /** The group of the link. */
+  link: Object3D;
+  point: Vector3;
+}
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
 export class Stage {
   readonly content = new Group();
+  /** What is drawn over the robots, such as measures. */
+  readonly notes = new Group();
   /** The side of a cell of the grid (m). */
   cell = 1;
   /** Called when the camera was put elsewhere. */
   onLook: () => void = () => {};
+  /** Called when a person has put it elsewhere. */
+  onTurn: () => void = () => {};
   private readonly world = new World();
-  private readonly camera = new PerspectiveCamera(45, 1, 0.01, 1000);
-  private readonly controls: OrbitControls;
+  private readonly deep = new PerspectiveCamera(45, 1, 0.01, 1000);
+  private readonly flat = new OrthographicCamera();
+  private camera: PerspectiveCamera | OrthographicCamera = this.deep;
+  readonly controls: OrbitControls;
   private readonly renderer: WebGLRenderer | null;
   private grid: GridHelper | null = null;
   /** What the selected part takes up. */
   marked: Box3 | null = null;
   private marker: Group | null = null;
   private isWaiting = false;
+  /** How large what is looked at is (m). */
+  private size = 1;
   /** Whether the camera is where a person has put it. */
-  private isHeld = false;
-  /** Called with the group of the link that a click hits. */
-  onPick: (link: Object3D) => void = () => {};
+  isHeld = false;
 
   /** `isSmooth`: edges are, at twice the work. */
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    readonly canvas: HTMLCanvasElement,
     private readonly isSmooth: boolean,
   ) {
-    this.world.background = new Color(matchMedia("(prefers-color-scheme: dark)").matches ? 0x1b1e23 : 0xf4f5f7);
+    const ground = (): void => {
+      this.world.background = new Color(dark.matches ? 0x1b1e23 : 0xf4f5f7);
+      this.lay(this.size);
+      this.draw();
+    };
     const sun = new DirectionalLight(0xffffff, 1.6);
     sun.position.set(2, -3, 5);
-    this.world.add(new AmbientLight(0xffffff, 1.4), sun, this.content);
+    this.world.add(new AmbientLight(0xffffff, 1.4), sun, this.content, this.notes);
     this.renderer = this.made();
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.draw());
+    let isTurned = false;
     this.controls.addEventListener("start", () => {
-      this.isHeld = true;
+      isTurned = true;
     });
-    addEventListener("resize", () => this.resize());
-    this.listen();
+    this.controls.addEventListener("end", () => {
+      isTurned = false;
+      this.onTurn();
+    });
+    this.controls.addEventListener("change", () => {
+      this.isHeld ||= isTurned;
+      this.draw();
+    });
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
+    dark.addEventListener("change", ground);
+    ground();
   }
 
   /** Takes all robots away; the camera stays. */
@@ -101,11 +131,14 @@ export class Stage {
       if (part instanceof Sprite) part.material.map?.dispose();
     });
     this.content.clear();
+    this.notes.clear();
   }
 
   private made(): WebGLRenderer | null {
     try {
-      return new WebGLRenderer({ canvas: this.canvas, antialias: this.isSmooth });
+      const renderer = new WebGLRenderer({ canvas: this.canvas, antialias: this.isSmooth });
+      renderer.debug.checkShaderErrors = false; // it would wait for the graphics card
+      return renderer;
     } catch {
       return null;
     }
@@ -134,42 +167,101 @@ export class Stage {
 
   resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement as HTMLElement;
+    if (!clientWidth || !clientHeight) return;
     this.renderer?.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / Math.max(clientHeight, 1);
-    this.camera.updateProjectionMatrix();
+    this.deep.aspect = clientWidth / clientHeight;
+    this.project();
     if (!this.isHeld) this.look();
+    this.drawNow();
+  }
+
+  /** Takes over what the perspective camera sees at the distance of its target. */
+  private project(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const half = distance * Math.tan(((this.deep.fov / 2) * Math.PI) / 180);
+    Object.assign(this.flat, { top: half, bottom: -half, right: half * this.deep.aspect, left: -half * this.deep.aspect });
+    for (const camera of [this.deep, this.flat]) camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld(); // what is under the pointer is asked for before the next picture
+  }
+
+  get isFlat(): boolean {
+    return this.camera === this.flat;
+  }
+
+  /** Draws without or with perspective, as large as before. */
+  setFlat(isFlat: boolean): void {
+    if (isFlat === this.isFlat) return;
+    const { target } = this.controls;
+    const from = this.camera;
+    const to = isFlat ? this.flat : this.deep;
+    to.position.copy(from.position).sub(target).divideScalar(isFlat ? 1 : from.zoom).add(target);
+    this.flat.zoom = 1;
+    this.camera = to;
+    this.controls.object = to;
+    this.setDepth();
+    this.controls.update();
+    this.project();
     this.draw();
   }
 
-  /** Shows all that is visible from a side, unless a person holds the camera (``force`` lets go of it). */
-  look(from: Vector3 = VIEWS.Fit, force = false): void {
+  private setDepth(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.deep.near = distance / 500;
+    this.flat.near = -distance * 50;
+    this.deep.far = this.flat.far = distance * 50;
+  }
+
+  /** Shows all that is visible, or a part of it, from a side, unless a person holds the camera (``force`` lets go of it). */
+  look(from: Vector3 = VIEWS.Fit, force = false, part: Box3 | null = null): void {
     if (this.isHeld && !force) return;
-    if (force) this.isHeld = false;
+    if (force) this.isHeld = part !== null;
     this.content.updateMatrixWorld(true);
-    const bounds = visibleBounds(this.content);
+    const bounds = part ?? visibleBounds(this.content);
     if (bounds.isEmpty()) bounds.set(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 1));
     const { center, radius } = bounds.getBoundingSphere(new Sphere());
     const size = Math.max(radius, SMALLEST);
-    const narrow = Math.min(this.camera.aspect, 1);
-    const distance = (size * 0.95) / Math.sin(((this.camera.fov / 2) * Math.PI) / 180) / narrow;
-    this.camera.position.copy(center).addScaledVector(from.clone().normalize(), distance);
-    this.camera.near = distance / 500;
-    this.camera.far = distance * 50;
-    this.camera.updateProjectionMatrix();
-    this.controls.target.copy(center);
-    this.controls.update();
+    const distance = (size * 0.95) / Math.sin(((this.deep.fov / 2) * Math.PI) / 180) / Math.min(this.deep.aspect, 1);
+    this.put(center.clone().addScaledVector(from.clone().normalize(), distance), center, 1);
     this.lay(size);
     this.onLook();
+  }
+
+  /** Looks from a side at what is looked at. */
+  lookAt(part: Box3): void {
+    this.look(this.camera.position.clone().sub(this.controls.target), true, part);
+  }
+
+  private put(position: Vector3, target: Vector3, zoom: number): void {
+    this.camera.position.copy(position);
+    this.camera.zoom = zoom;
+    this.controls.target.copy(target);
+    this.setDepth();
+    this.controls.update();
+    this.project();
     this.draw();
+  }
+
+  /** Where the camera is, what it looks at, and how near. */
+  seen(): number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
+  }
+
+  /** Puts the camera where it was, as {@link seen} has it. */
+  see(seen: number[]): void {
+    this.look(VIEWS.Fit, true);
+    this.isHeld = true;
+    this.put(new Vector3(...seen.slice(0, 3)), new Vector3(...seen.slice(3, 6)), seen[6]);
   }
 
   /** Lays a grid with cells of 1, 2 or 5 times a power of ten under what is shown. */
   private lay(size: number): void {
+    this.size = size;
     const wanted = size / 6;
     const power = 10 ** Math.floor(Math.log10(wanted));
     this.cell = power * ([1, 2, 5].find((step) => step * power >= wanted) ?? 10);
     if (this.grid) this.world.remove(this.grid);
-    this.grid = new GridHelper(this.cell * 24, 24, 0x868e96, 0xced4da).rotateX(Math.PI / 2);
+    const [middle, others] = dark.matches ? [0x6c757d, 0x343a40] : [0x868e96, 0xced4da];
+    this.grid = new GridHelper(this.cell * 24, 24, middle, others).rotateX(Math.PI / 2);
     const { x, y } = this.controls.target;
     this.grid.position.set(Math.round(x / this.cell) * this.cell, Math.round(y / this.cell) * this.cell, 0);
     this.world.add(this.grid);
@@ -194,11 +286,6 @@ export class Stage {
     this.draw();
   }
 
-  /** Where the camera is and what it looks at. */
-  seen(): number[] {
-    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
-  }
-
   /** Where a point of the world is on the screen (pixels). */
   onScreen(point: Vector3): number[] {
     const { x, y } = point.clone().project(this.camera);
@@ -206,32 +293,37 @@ export class Stage {
     return [box.left + ((x + 1) / 2) * box.width, box.top + ((1 - y) / 2) * box.height];
   }
 
-  private listen(): void {
-    let pressed = new Vector2();
-    this.canvas.addEventListener("pointerdown", (event) => {
-      pressed = new Vector2(event.clientX, event.clientY);
-    });
-    this.canvas.addEventListener("pointerup", (event) => {
-      if (pressed.distanceTo(new Vector2(event.clientX, event.clientY)) > 4) return;
-      const link = this.linkAt(event.clientX, event.clientY);
-      if (link) this.onPick(link);
-    });
-  }
-
-  private linkAt(x: number, y: number): Object3D | null {
+  /** The ray of the eye through a point of the screen. */
+  rayAt(x: number, y: number): Raycaster {
     const box = this.canvas.getBoundingClientRect();
     const ray = new Raycaster();
     ray.setFromCamera(
       new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2),
       this.camera,
     );
-    for (const hit of ray.intersectObject(this.content, true)) {
-      if (hit.instanceId !== undefined && hit.object.visible)
-        return (hit.object.userData.links as Object3D[])[hit.instanceId];
-      let at: Object3D | null = hit.object;
-      while (at?.visible && typeof at.userData.link !== "string") at = at.parent;
-      if (at?.visible) return at;
+    return ray;
+  }
+
+  /** The nearest shape at a point of the screen. */
+  hitAt(x: number, y: number): Hit | null {
+    const shapes: Object3D[] = [];
+    const gather = (part: Object3D): void => {
+      if (!part.visible || part.userData.isMarker) return;
+      if (part instanceof Mesh) shapes.push(part);
+      part.children.forEach(gather);
+    };
+    gather(this.content);
+    for (const hit of this.rayAt(x, y).intersectObjects(shapes, false)) {
+      const link = linkOf(hit);
+      if (link) return { link, point: hit.point };
     }
     return null;
   }
+}
+
+function linkOf({ object, instanceId }: Intersection): Object3D | null {
+  if (instanceId !== undefined) return (object.userData.links as Object3D[])[instanceId];
+  let at: Object3D | null = object;
+  while (at && typeof at.userData.link !== "string") at = at.parent;
+  return at;
 }

@@ -109,6 +109,59 @@ def test_meshes_are_embedded_once_and_up_to_a_size(tmp_path: Path) -> None:
     ]
 
 
+def test_colors_beside_meshes_are_embedded_by_name(tmp_path: Path) -> None:
+    (tmp_path / "materials" / "textures").mkdir(parents=True)
+    (tmp_path / "meshes").mkdir()
+    (tmp_path / "materials" / "textures" / "a.png").write_bytes(b"\x89PNG")
+    (tmp_path / "meshes" / "b.jpg").write_bytes(b"secret")
+    (tmp_path / "meshes" / "a.mtl").write_text(
+        "newmtl m\nmap_Kd a.png\nmap_Kd -clamp on b.jpg\nmap_Kd c.png\n"
+    )
+    (tmp_path / "meshes" / "a.obj").write_text("mtllib a.mtl\nmtllib b.jpg\nv 0 0 0\n")
+    file = tmp_path / "m.sdf"
+    uri = "<uri>meshes/a.obj</uri>"
+    file.write_text(
+        f'<sdf version="1.12"><model name="m"><link name="l"><visual name="v"><geometry><mesh>{uri}</mesh></geometry>'
+        "</visual></link></model></sdf>"
+    )
+    meshes = Meshes()
+    scene(sdfcheck.load(file).document, meshes)
+    (entry,) = meshes.entries
+    assert sorted(entry["files"]) == ["a.mtl", "a.png"]
+    assert entry["files"]["a.png"].startswith("data:image/png;base64,")
+    assert entry["notes"] == [
+        "material library b.jpg is not found",
+        "texture b.jpg is not a picture that is shown",
+        "texture c.png is not found",
+    ]
+
+
+def test_the_page_is_opened_and_never_written_to_a_terminal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = str(ROBOTS / "desk_arm" / "desk_arm.urdf")
+    opened: list[str] = []
+    monkeypatch.setattr("click.launch", lambda path: opened.append(path) or 0)
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True)
+    monkeypatch.setattr("sys.platform", "linux")
+    for name in ("WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("DISPLAY", ":1")
+    assert main(["view", arm, "--isolated"]) == 0
+    (page,) = opened
+    assert "desk_arm" in Path(page).read_text(encoding="utf-8")
+    monkeypatch.delenv("DISPLAY")
+    assert main(["view", arm, "--isolated"]) == 2
+    said = capsys.readouterr()
+    assert "-o desk_arm.html" in said.err
+    assert said.out == ""
+    assert main(["view", arm, "--isolated", "-o", str(tmp_path / "out.html")]) == 0
+    monkeypatch.setattr("sys.stdout.isatty", lambda: False)
+    assert main(["view", arm, "--isolated"]) == 0
+    assert capsys.readouterr().out.startswith("<!doctype html>")
+    assert len(opened) == 1
+
+
 def test_a_wrong_inertia_is_marked() -> None:
     text = (
         '<robot name="r"><link name="l"><inertial><mass value="1"/>'
