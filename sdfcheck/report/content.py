@@ -237,7 +237,7 @@ class Robot(NamedTuple):
 
 
 def robots(run: Run, documents: Iterable[tuple[Path, Document | str]]) -> Iterator[Robot]:
-    """The robots of descriptions, with the findings of a run; a text in place of a document is why there is none."""
+    """The robots of descriptions, with the findings of a run; a text in place of a document says why it is missing."""
     left = _BYTES
     for path, document in documents:
         if isinstance(document, str):

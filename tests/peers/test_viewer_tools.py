@@ -1,4 +1,4 @@
-"""What a person does on the page of a robot: look, search, select, hide, move, measure, pass on."""
+"""The tools on the page of a robot: look, search, select, hide, move, measure, pass on."""
 
 from __future__ import annotations
 

@@ -141,7 +141,7 @@ def test_the_page_is_opened_and_never_written_to_a_terminal(
 ) -> None:
     arm = str(ROBOTS / "desk_arm" / "desk_arm.urdf")
     opened: list[str] = []
-    monkeypatch.setattr("click.launch", lambda path: opened.append(path) or 0)
+    monkeypatch.setattr("click.launch", opened.append)
     monkeypatch.setattr("sys.stdout.isatty", lambda: True)
     monkeypatch.setattr("sys.platform", "linux")
     for name in ("WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"):
