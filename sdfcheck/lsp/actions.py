@@ -155,7 +155,7 @@ class Extraction(NamedTuple):
 def extractions(document: Document, chosen: Span) -> Iterator[Extraction]:
     """Ways to give a name to what is selected, or to the value at a place."""
     root = document.root
-    if document.kind is not Kind.XACRO or root is None or document.problems:
+    if document.kind is not Kind.XACRO or root is None or not document.is_wellformed:
         return
     if PREFIX.rstrip(":") not in root.declared:
         return  # else its elements would mean nothing

@@ -192,8 +192,13 @@ def counted(workspace: Workspace, document: Document, offset: int, *, is_file: b
     if named is None:
         return None
     found = everywhere(workspace, document, named.symbol)
-    places = tuple(each.span for each in found if not each.is_definition)
+    uses = (each.span for each in found if not each.is_definition)
+    places = tuple(span for span in uses if not span.source.text.startswith("</", _opening(span)))
     return Count(_number(len(places), "reference"), places)
+
+
+def _opening(span: Span) -> int:
+    return span.source.text.rfind("<", 0, span.start)
 
 
 def _number(count: int, noun: str) -> str:
@@ -417,6 +422,7 @@ class Edits:
                 edit=None if resolves else self.speech.workspace_edit(found.edits),
             )
             for found in extractions(self.document(buffer), span)
+            if resolves or keeps_expansion(self.workspace, buffer, found.edits)
         ]
 
     def extracted(self, buffer: Buffer, action: types.CodeAction, wanted: Sequence[int]) -> types.CodeAction:

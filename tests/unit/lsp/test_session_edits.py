@@ -147,7 +147,8 @@ async def test_selections_grow(session: Session, folder: Path) -> None:
 
 
 async def test_names_are_extracted(session: Session, folder: Path) -> None:
-    text = session.open(folder / "r.xacro", ROBOT)
+    unused = '<xacro:arg name="unused" default="1"/>\n</robot>'
+    text = session.open(folder / "r.xacro", ROBOT.replace("</robot>", unused))
     actions = await text.actions(text.range("* 2", 2), "refactor")
     assert [(action.title, action.kind) for action in actions] == [
         ("Extract property `ball_size`", "refactor.extract.sdfcheck")
@@ -163,7 +164,7 @@ async def test_names_are_extracted(session: Session, folder: Path) -> None:
 async def test_lenses_count_uses(session: Session, folder: Path) -> None:
     (folder / "robot.xacro").write_text(
         '<robot name="x" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="r.xacro"/>'
-        '<xacro:ball name="y"/></robot>'
+        '<xacro:ball name="y"></xacro:ball></robot>'
     )
     session.notice(folder / "robot.xacro", types.FileChangeType.Created)
     text = session.open(folder / "r.xacro", ROBOT)
