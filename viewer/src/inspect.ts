@@ -1,6 +1,7 @@
 // What is known of a selected part, as lines of a name and a value.
 
 import type { Joint, Link, Mesh, Model, Transform } from "./data";
+import { counted } from "./made";
 import { IDENTITY, inverse, linkPoses, product, withFollowers } from "./kinematics";
 
 export type Fact = [name: string, value: string];
@@ -93,7 +94,7 @@ export function ofLink(model: Model, link: Link, positions: Map<string, number[]
 export function ofModel(model: Model): Fact[] {
   const mass = model.links.reduce((sum, link) => sum + (link.mass ?? 0), 0);
   return [
-    ["model", `${model.links.length} links, ${model.joints.length} joints`],
+    ["model", `${counted(model.links.length, "link")}, ${counted(model.joints.length, "joint")}`],
     ["mass", `${digits(mass)} kg`],
     ["pose", poseOf(model.pose)],
   ];

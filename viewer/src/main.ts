@@ -674,8 +674,7 @@ function layersOf(page: Page): Layer[] {
 function print(stage: Stage): void {
   let picture: HTMLImageElement | null = null;
   addEventListener("beforeprint", () => {
-    stage.drawNow();
-    picture = made("img", { alt: "The robot", src: stage.canvas.toDataURL() });
+    picture = made("img", { alt: "The robot", src: stage.picture() });
     stage.canvas.after(picture);
   });
   addEventListener("afterprint", () => picture?.remove());

@@ -116,7 +116,7 @@ export function emptyLinkOf(unit: number): Object3D {
   return new Group().add(new Mesh(geometry, seeThrough(0x868e96, 0.3)), edges);
 }
 
-const REACH = 8; // sizes of an ordinary link: fields of view are not drawn any farther
+const REACH = 3; // sizes of an ordinary link: fields of view are not drawn any farther
 
 /** The field of view of a sensor as lines, x forward; a small ball for one that sees nothing. */
 export function fieldOf(sensor: Sensor, unit: number): Object3D {

@@ -88,6 +88,7 @@ export class Stage {
   private isWaiting = false;
   /** How large what is looked at is (m). */
   private size = 1;
+  private isDark = false;
   /** Whether the camera is where a person has put it. */
   isHeld = false;
 
@@ -97,8 +98,7 @@ export class Stage {
     private readonly isSmooth: boolean,
   ) {
     const ground = (): void => {
-      this.world.background = new Color(dark.matches ? 0x1b1e23 : 0xf4f5f7);
-      this.lay(this.size);
+      this.paint(dark.matches);
       this.draw();
     };
     const sun = new DirectionalLight(0xffffff, 1.6);
@@ -253,6 +253,24 @@ export class Stage {
     this.put(new Vector3(...seen.slice(0, 3)), new Vector3(...seen.slice(3, 6)), seen[6]);
   }
 
+  private paint(isDark: boolean): void {
+    this.isDark = isDark;
+    this.world.background = new Color(isDark ? 0x1b1e23 : 0xf4f5f7);
+    this.lay(this.size);
+  }
+
+  /** The picture as paper has it, as an address with data in it. */
+  picture(): string {
+    const { isDark } = this;
+    this.paint(false);
+    this.world.background = new Color(0xffffff);
+    this.drawNow();
+    const picture = this.canvas.toDataURL();
+    this.paint(isDark);
+    this.draw();
+    return picture;
+  }
+
   /** Lays a grid with cells of 1, 2 or 5 times a power of ten under what is shown. */
   private lay(size: number): void {
     this.size = size;
@@ -260,7 +278,7 @@ export class Stage {
     const power = 10 ** Math.floor(Math.log10(wanted));
     this.cell = power * ([1, 2, 5].find((step) => step * power >= wanted) ?? 10);
     if (this.grid) this.world.remove(this.grid);
-    const [middle, others] = dark.matches ? [0x6c757d, 0x343a40] : [0x868e96, 0xced4da];
+    const [middle, others] = this.isDark ? [0x6c757d, 0x343a40] : [0x868e96, 0xced4da];
     this.grid = new GridHelper(this.cell * 24, 24, middle, others).rotateX(Math.PI / 2);
     const { x, y } = this.controls.target;
     this.grid.position.set(Math.round(x / this.cell) * this.cell, Math.round(y / this.cell) * this.cell, 0);

@@ -1,7 +1,7 @@
 // The links and joints of all models as a tree that can be searched.
 
 import type { Model, Page, Place } from "./data";
-import { made } from "./made";
+import { counted, made } from "./made";
 import type { Manner } from "./robot";
 
 /** A model, a link, or the joint that carries the next link, on the level of that. */
@@ -202,7 +202,7 @@ function rowsOf(page: Page): Row[] {
       else if (!names.has(model.name)) {
         // The same model in two files: one row for both.
         names.add(model.name);
-        const note = index ? `only in ${file}` : `${model.links.length} link${model.links.length === 1 ? "" : "s"}`;
+        const note = index ? `only in ${file}` : counted(model.links.length, "link");
         const place = { model: model.name, part: null };
         const hasMore = model.links.length > 0;
         rows.push({ kind: "model", level: 0, place, name: model.name, note, above: -1, hasMore });
