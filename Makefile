@@ -147,7 +147,9 @@ man: $(RUNTIME)
 
 release-check: package
 	for minor in 10 11 12 13 14; do \
-	  python=$$(ls -d $$(command -v python3.$$minor) $(PYTHONS)/3.$$minor.*/bin/python3 2>/dev/null | head -n 1); \
+	  for python in python3.$$minor $(PYTHONS)/3.$$minor.*/bin/python3 ""; do \
+	    $$python -c "" 2>/dev/null && break; \
+	  done; \
 	  [ -n "$$python" ] || { echo "Python 3.$$minor is not here: not tried"; continue; }; \
 	  for kind in whl tar.gz; do \
 	    $$python -m venv --clear build/try && \
