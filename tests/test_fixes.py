@@ -24,7 +24,7 @@ from tests.test_rules import BENCH, TRIALS
 
 CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
 KNOWN = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
-REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-6", "URD001-bad-2"}
+REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-7", "URD001-bad-2"}
 """Unsafe fixes after which something that was not read is read, and an error is found in it."""
 
 

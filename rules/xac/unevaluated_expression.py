@@ -32,10 +32,8 @@ class UnevaluatedExpression(Rule):
             says="`{side}` is not evaluated; did you mean `${side}`?",
         ),
         Bad(
-            '<xacro:property name="w" value="1"/><link name="a"/><link name="b"/><joint name="j" type="continuous">'
-            '<parent link="a"/><child link="b"/><dynamics damping="«{w}»"/></joint>',
-            fixed='<xacro:property name="w" value="1"/><link name="a"/><link name="b"/>'
-            '<joint name="j" type="continuous"><parent link="a"/><child link="b"/><dynamics damping="${w}"/></joint>',
+            '<xacro:property name="w" value="1"/><link name="a"><inertial><mass>«{w}»</mass></inertial></link>',
+            fixed='<xacro:property name="w" value="1"/><link name="a"><inertial><mass>${w}</mass></inertial></link>',
             unsafe=True,
             file=FILE,
         ),

@@ -91,7 +91,8 @@ def meant_attribute(element: Element, name: str, place: Definition) -> str | Non
     # The one attribute that is too many must mean the one that the element cannot do without.
     strange = [each for each in element.attributes if each not in place.attributes and ":" not in each]
     needed = [each for each in place.required_attributes if each in missing]
-    return needed[0] if len(needed) == 1 and strange == [name] else None
+    has_value = strange == [name] and element.attributes[name].strip()
+    return needed[0] if len(needed) == 1 and has_value else None
 
 
 # Why something does not fit URDF's table: the explaining side of the walk.

@@ -138,6 +138,7 @@ class Broken(Rule):
 def root(monkeypatch: pytest.MonkeyPatch) -> None:
     module = ModuleType("sdfcheck.robot.root")
     module.root_of = lambda document: document.view(Root)  # type: ignore[attr-defined]
+    module.ELEMENTS = {}  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, module.__name__, module)
     monkeypatch.delenv("SDFCHECK_DEBUG", raising=False)
 
