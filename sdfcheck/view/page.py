@@ -176,7 +176,7 @@ summary { font-weight: 600; cursor: pointer; overflow-wrap: anywhere; }
 .row.hidden .name { text-decoration: line-through; }
 .row:hover { background: var(--line); }
 .row[aria-selected="true"] { background: var(--chosen); }
-.row[aria-selected="true"] span { color: CanvasText; }
+.row[role][aria-selected="true"] > span { color: CanvasText; }
 #tree:focus-visible .at { outline: 2px solid var(--accent); outline-offset: -2px; }
 #tree .none { padding: 2px 8px; color: var(--faint); }
 #inspector { border: 1px solid var(--line); border-radius: 4px; padding: 6px 8px; margin: 8px 0; }
