@@ -34,17 +34,13 @@ GROWTH = (300, 3_000, 30_000)
 
 
 class Input(NamedTuple):
-    """An input: the paths given to sdfcheck, the files below them, how often it is measured, and against which command.
-
-    ``goal`` is what the project aims at.
-    """
+    """An input: the paths given to sdfcheck, the files below them, the number of pairs, and the command beside it."""
 
     name: str
     given: tuple[Path, ...]
     files: tuple[Path, ...]
     pairs: int
     peer_runs: int
-    goal: str = ""
     against: tuple[str, ...] = FLOOR
 
     @property
@@ -64,7 +60,6 @@ class Result(NamedTuple):
     peak: int
     peer: float | None
     peer_ratio: float | None
-    goal: str
 
 
 def library() -> tuple[str, str] | None:
@@ -82,20 +77,18 @@ def inputs(folder: Path, factor: float) -> Iterator[Input]:
     def pairs(number: int) -> int:
         return max(3, round(number * factor))
 
-    yield Input("one small file", (SMALL,), (SMALL,), pairs(15), 5, "1.25×")
+    yield Input("one small file", (SMALL,), (SMALL,), pairs(15), 5)
     large = folder / "large.urdf"
     large.write_text(conversions.urdf("large", 100_000))
     yield Input("a URDF file of 100 kB", (large,), (large,), pairs(11), 0)
     expand = (installed("xacro"),)
-    yield Input("a xacro file, against `xacro`", (ROVER,), (ROVER,), pairs(11), 0, "", expand)
+    yield Input("a xacro file, against `xacro`", (ROVER,), (ROVER,), pairs(11), 0, expand)
     if REAL_WORLD.is_file():
-        yield Input("a real world of 3 000 models", (REAL_WORLD,), (REAL_WORLD,), pairs(7), 1, "2.5×, 80 MB")
+        yield Input("a real world of 3 000 models", (REAL_WORLD,), (REAL_WORLD,), pairs(7), 1)
         real = tuple(sorted(real_files()))
-        yield Input(f"{len(real)} real files", real, real, pairs(5), 0, "5×")
+        yield Input(f"{len(real)} real files", real, real, pairs(5), 0)
     robots = folder / "robots"
-    yield Input(
-        "a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1, "1.2 ms a file"
-    )
+    yield Input("a folder of 450 models", (robots,), tuple(write_robots(robots, 450)), pairs(5), 1)
     for models, number in zip(GROWTH, (9, 7, 3), strict=True):
         world = write_world(folder / f"solids_{models}.sdf", models)
         name = f"a generated world of {models:,} models".replace(",", " ")
@@ -133,7 +126,6 @@ def compare(subject: Input, folder: Path, peer: str | None) -> Result:
         max(m.peak for m in lints),
         seconds,
         None if seconds is None else seconds / floor,
-        subject.goal,
     )
 
 
@@ -147,9 +139,9 @@ def growth(results: list[Result]) -> float:
 def table(results: list[Result], peer: str | None) -> Iterator[str]:
     """The results as a Markdown table."""
     other = f"libsdformat {peer}" if peer else "libsdformat"
-    own = "floor | sdfcheck | a file | sdfcheck / floor | peak memory | goal"
+    own = "floor | sdfcheck | a file | sdfcheck / floor | peak memory"
     yield f"| input | size | {own} | {other} | {other} / floor |"
-    yield "|---|--:|--:|--:|--:|--:|--:|---|--:|--:|"
+    yield "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
     for result in results:
         cells = [
             result.name,
@@ -159,7 +151,6 @@ def table(results: list[Result], peer: str | None) -> Iterator[str]:
             f"{result.lint / result.files * 1000:.2f} ms" if result.files > 1 else "",
             f"{result.ratio:.2f}×",
             _bytes(result.peak),
-            result.goal,
             "" if result.peer is None else _seconds(result.peer),
             "" if result.peer_ratio is None else f"{result.peer_ratio:.1f}×",
         ]

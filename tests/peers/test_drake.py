@@ -30,10 +30,12 @@ SHAPELESS = ("drake:capsule", "drake:ellipsoid")
 
 ARGUED = {
     "hydroelastic.sdf": {"DRK005"},
+    "arm.urdf": {"DRK010"},
     "atlas_with_fixed_joints.urdf": {"DRK010"},
-    "duplicate_but_same_materials_with_texture.urdf": {"DRK013"},
+    "duplicate_but_same_materials_with_texture.urdf": {"DRK010", "DRK013"},
+    "kuka_iiwa_robot.urdf": {"DRK010"},
 }
-"""File → rules that rightly speak up: Drake warns, too, or holds a limit that no other consumer does."""
+"""File → rules that rightly speak up: Drake warns, makes no actuator, or holds a limit that others do not."""
 
 LATER = {"massless-leaf", "unsupported-mesh-format"}
 """Failures only in the simulation, or where there is a scene graph: the verdicts are about loading."""
