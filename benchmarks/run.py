@@ -138,10 +138,11 @@ def growth(results: list[Result]) -> float:
 
 def table(results: list[Result], peer: str | None) -> Iterator[str]:
     """The results as a Markdown table."""
-    other = f"libsdformat {peer}" if peer else "libsdformat"
-    own = "floor | sdfcheck | a file | sdfcheck / floor | peak memory"
-    yield f"| input | size | {own} | {other} | {other} / floor |"
-    yield "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+    names = ["input", "size", "floor", "sdfcheck", "a file", "sdfcheck / floor", "peak memory"]
+    if peer:
+        names += [f"libsdformat {peer}", f"libsdformat {peer} / floor"]
+    yield f"| {' | '.join(names)} |"
+    yield f"|---|{'--:|' * (len(names) - 1)}"
     for result in results:
         cells = [
             result.name,
@@ -154,7 +155,7 @@ def table(results: list[Result], peer: str | None) -> Iterator[str]:
             "" if result.peer is None else _seconds(result.peer),
             "" if result.peer_ratio is None else f"{result.peer_ratio:.1f}×",
         ]
-        yield f"| {' | '.join(cells)} |"
+        yield f"| {' | '.join(cells[: len(names)])} |"
 
 
 def _seconds(seconds: float) -> str:
