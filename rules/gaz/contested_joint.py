@@ -64,7 +64,9 @@ class ContestedJoint(Rule):
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for value, first in again(plugin):
             message = f"{plugin.title} has joint `{value.text.strip()}` for two wheels"
-            yield self.diagnostic(value, message, labels={first: "the first one"})
+            yield self.diagnostic(
+                value, message, labels={first: "the first one"}, help="name the joint of the other wheel"
+            )
         drive, found = plugin.drive, rivals(plugin)
         if drive is None or not found:
             return

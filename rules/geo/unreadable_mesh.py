@@ -60,20 +60,30 @@ class UnreadableMesh(Rule):
 
     def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
         name = geometry.uri.rpartition("/")[2]
-        yield self.diagnostic(geometry.uri_value or geometry, f"the mesh `{name}` {fault(geometry)}")
+        advice = "export it as STL, OBJ or COLLADA" if is_drawing(geometry) else None
+        target = geometry.uri_value or geometry
+        yield self.diagnostic(target, f"the mesh `{name}` {fault(geometry)}", help=advice)
+
+
+def is_drawing(geometry: Geometry) -> bool:
+    """Is its mesh the file of a CAD program, by its ending?"""
+    return geometry.shape == "mesh" and ending_of(geometry) in DRAWINGS
+
+
+def ending_of(geometry: Geometry) -> str:
+    return geometry.uri.rpartition(".")[2].lower()
 
 
 def fault(geometry: Geometry) -> str:
     """The reason why consumers cannot read the mesh; empty where they can, or nobody knows."""
     if geometry.shape != "mesh":
         return ""
-    ending = geometry.uri.rpartition(".")[2].lower()
-    if ending in DRAWINGS:
-        return "is a drawing of a CAD program, which no simulator reads: export it as STL, OBJ or COLLADA"
+    if is_drawing(geometry):
+        return "is a drawing of a CAD program, which no simulator reads"
     read = geometry.mesh
     if read is None or read.fault:
         return read.fault if read is not None else ""
-    promised = next((form for form, endings in READ.items() if ending in endings), "")
+    promised = next((form for form, endings in READ.items() if ending_of(geometry) in endings), "")
     if not read.format or not promised or promised == read.format:
         return ""
     article = "an" if read.format[0] in "SO" else "a"

@@ -87,7 +87,8 @@ class IgnoredControlElement(Rule):
             interface = value.element.parent
             if value.attribute == "value" or interface is None:
                 message = "ros2_control takes the text of `param`, and not its `value`"
-                yield self.diagnostic(value.name_span, message)
+                advice = "write the value between `<param>` and `</param>`"
+                yield self.diagnostic(value.name_span, message, help=advice)
             else:
                 message = (
                     f"nothing reads `{value.text}` of interface `{interface.attributes.get('name', '')}`"

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Plugin, Ros2Control, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+from sdfcheck_rules.r2c.unknown_control_plugin import KNOWN
 from sdfcheck_rules.r2c.unknown_control_simulator import CLASSES
 
 SYSTEMS = {
@@ -11,13 +12,7 @@ SYSTEMS = {
 }
 """Library of Gazebo's plugin → the hardware of the simulator that it can load."""
 SIMULATED = f">\\s*(?:{'|'.join(sorted({each for group in SYSTEMS.values() for each in group}))})\\s*<"
-FOREIGN = (
-    "fake_components/GenericSystem",
-    "joint_state_topic_hardware_interface/JointStateTopicSystem",
-    "mock_components/GenericSystem",
-    "mujoco_ros2_control/MujocoSystem",
-    "topic_based_ros2_control/TopicBasedSystem",
-)
+FOREIGN = frozenset(KNOWN).difference(*SYSTEMS.values())
 """Hardware that no Gazebo loads."""
 ROBOT = (
     '<ros2_control name="arm" type="system"><hardware><plugin>{}</plugin></hardware></ros2_control>'

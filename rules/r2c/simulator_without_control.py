@@ -72,7 +72,11 @@ class SimulatorWithoutControl(Rule):
         library = library_of(plugin)
         wanted = "transmission" if library == ROS_CONTROL else "`ros2_control` block"
         message = f"`{library}` finds no {wanted} in {robot.title}, so no joint has an interface"
-        yield self.diagnostic(plugin, message, severity=Severity.INFO if library == ROS_CONTROL else None)
+        if library == ROS_CONTROL:
+            advice = "add a `<transmission>` for each joint that controllers move"
+            yield self.diagnostic(plugin, message, severity=Severity.INFO, help=advice)
+        else:
+            yield self.diagnostic(plugin, message)
 
 
 def idle(robot: Model) -> Plugin | None:

@@ -68,7 +68,12 @@ class UnknownTransmissionJoint(Rule):
         for value, joint in fixed_joints(transmission):
             message = f"{transmission.title} is for joint `{value.text}`, which is fixed"
             yield self.diagnostic(
-                value, message, labels={joint: "fixed"}, severity=Severity.WARNING, affects=ACCEPTED
+                value,
+                message,
+                labels={joint: "fixed"},
+                severity=Severity.WARNING,
+                affects=ACCEPTED,
+                help="remove the transmission, or give the joint a type that moves",
             )
 
 

@@ -285,13 +285,14 @@ class Library:
 
     def packages(self, path: Path) -> Packages:
         """The packages around a file."""
-        from sdfcheck.files.packages import Packages, project_root
+        from sdfcheck.files.packages import Packages, is_shared, project_root
 
         root = self._roots.get(path.parent)
         if root is None:
             root = self._roots[path.parent] = project_root(path)
         if root not in self._packages:
-            self._packages[root] = Packages(root, dict(self.search.packages), self.search.packages_in)
+            named, is_flat = dict(self.search.packages), is_shared(root)
+            self._packages[root] = Packages(root, named, self.search.packages_in, is_flat=is_flat)
         return self._packages[root]
 
     def of_project(self, path: Path, view: Callable[[Packages], T]) -> T:
@@ -309,6 +310,7 @@ class Library:
         self._hashes.clear()
         self._unseen.clear()
         self._projects.clear()
+        self._surroundings.clear()
 
     def documents(self) -> tuple[Document, ...]:
         """The documents that were read."""

@@ -29,7 +29,8 @@ def project_root(path: Path) -> Path:
 
     Without either it is the current folder if the file lies below it, else the folder
     above the outermost ``package.xml``, else the one above the file's own. The home
-    folder, the one of temporary files and what is above them never count.
+    folder, the one of temporary files and what is above them never count, but for a file
+    that lies in one of them (see :func:`is_shared`).
     """
     own = list(_folders_around(os.path.abspath(path)))
     for folder in own:
@@ -51,13 +52,26 @@ def project_root(path: Path) -> Path:
 
 def _folders_around(file: str) -> Iterator[str]:
     """The folders that a file is in, the innermost first, but for those that everyone's files share."""
-    shared = [os.path.join(folder, "") for folder in (os.path.expanduser("~"), *_temporary())]
+    shared = _shared()
     folder, above = os.path.dirname(file), ""
     while folder != above:
-        own = os.path.join(folder, "")
-        if not any(one.startswith(own) for one in shared):
+        if not _holds_any(folder, shared):
             yield folder
         folder, above = os.path.dirname(folder), folder
+
+
+def is_shared(folder: Path) -> bool:
+    """Do everyone's files share a folder: is it home, one of temporary files, or above such a one?"""
+    return _holds_any(os.path.abspath(folder), _shared())
+
+
+def _shared() -> list[str]:
+    return [os.path.join(folder, "") for folder in (os.path.expanduser("~"), *_temporary())]
+
+
+def _holds_any(folder: str, folders: Sequence[str]) -> bool:
+    own = os.path.join(folder, "")
+    return any(one.startswith(own) for one in folders)
 
 
 def _temporary() -> Iterator[str]:
@@ -73,7 +87,8 @@ class Packages:
     """Finds packages by name: those that were named, then those around, then those of a ROS installation.
 
     ``given`` maps names to folders; ``paths`` are folders below which to look for
-    ``package.xml``; ``root`` is the project; ``environment`` may hold
+    ``package.xml``; ``root`` is the project, of which the files in that folder alone count
+    where it ``is_flat``; ``environment`` may hold
     ROS_PACKAGE_PATH and AMENT_PREFIX_PATH. The folder ``install`` of the workspace counts
     also where nothing is sourced.
     """
@@ -86,6 +101,7 @@ class Packages:
         "_own_prefixes",
         "environment",
         "given",
+        "is_flat",
         "paths",
         "root",
     )
@@ -96,6 +112,8 @@ class Packages:
         given: Mapping[str, Path] | None = None,
         paths: Sequence[Path] = (),
         environment: Mapping[str, str] | None = None,
+        *,
+        is_flat: bool = False,
     ) -> None:
         self.root = root
         self.given = {name: Path(os.path.abspath(folder)) for name, folder in (given or {}).items()}
@@ -106,6 +124,7 @@ class Packages:
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
         self._own_prefixes: list[Path] | None = None
+        self.is_flat = is_flat
 
     def find(self, name: str) -> Path | None:
         """The folder of a package, None if nothing of that name is there."""
@@ -144,8 +163,13 @@ class Packages:
 
     @property
     def own(self) -> tuple[Path, ...]:
-        """The folders whose files belong to the project: its own, and those of packages."""
-        return (self.root, *self.installed(), *self.trusted())
+        """The folders whose files belong to the project, or single ones: its own, and those of packages."""
+        return (*self.places, *self.installed(), *self.trusted())
+
+    @property
+    def places(self) -> tuple[Path, ...]:
+        """The project's folder, or the visible files in it that are no links."""
+        return tuple(self._files_beside()) if self.is_flat else (self.root,)
 
     def locate(self, path: Path) -> Path:
         """The file that a path into a package leads to, which may hold only once the package is installed.
@@ -184,6 +208,12 @@ class Packages:
                     return
                 yield path
 
+    def _files_beside(self) -> Iterator[Path]:
+        for name in names_in(self.root)[:FOLDER_LIMIT]:
+            path = self.root / name
+            if name[0] != "." and os.path.isfile(path) and not os.path.islink(path):
+                yield path
+
     def _candidates(self, name: str) -> Iterator[Path]:
         if name in self.given:
             yield self.given[name]
@@ -212,7 +242,8 @@ class Packages:
 
     def _folders_below(self, root: Path) -> tuple[Path, ...]:
         if root not in self._folders:
-            self._folders[root] = tuple(_folders(root))
+            is_alone = self.is_flat and root == self.root and root not in self.paths
+            self._folders[root] = (root,) if is_alone else tuple(_folders(root))
         return self._folders[root]
 
     def _of_environment(self, variable: str) -> list[Path]:
@@ -226,6 +257,8 @@ class Packages:
 
     def _prefixes(self) -> list[Path]:
         """The folders that packages are installed in: those of the environment, then those of the workspace."""
+        if self.is_flat:
+            self._own_prefixes = []
         if self._own_prefixes is None:
             workspace = self.root.parent if self.root.name == "src" else self.root
             own = workspace / "install"

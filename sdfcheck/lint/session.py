@@ -307,7 +307,8 @@ def _look(file: DiscoveredFile, options: Options, notify: Notify) -> Selected | 
     with open_named(file.path, limit) if file.named else open_regular(file.path, limit) as stream:
         head = stream.read(HEAD)
         taken = _judge(file, head, options, notify)
-        if isinstance(taken, Selected) and taken.kind not in _DESCRIPTIONS and os.path.islink(file.path):
+        is_link = isinstance(taken, Selected) and os.path.islink(file.path)
+        if is_link and sniff(head, file.path) not in _DESCRIPTIONS:
             _refuse_to_show(file.path, options)
         if len(head) == HEAD and isinstance(taken, Selected):
             return taken._replace(data=head + read_on(stream, file.path, limit))

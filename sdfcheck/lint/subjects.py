@@ -62,9 +62,10 @@ class Subjects:
             dialect, _, path = selector.partition(":")
             *around, name = path.split("/")
             self._selectors.setdefault(dialect, []).append((name, tuple(reversed(around))))
-        self._marks = [need[1:] for need in needs if need.startswith("<")]
+        elements = [need for need in needs if need.startswith("<") and need[1:].isidentifier()]
+        self._marks = [need[1:] for need in elements]
         """Names of elements, one of which a document has to have; or one of the texts."""
-        self._texts = [need for need in needs if not need.startswith("<")]
+        self._texts = [need for need in needs if need not in elements]
 
     def occur_in(self, kind: Kind) -> bool:
         """Can documents of a kind have any?"""

@@ -10,7 +10,6 @@ from itertools import accumulate, islice
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.lsp.workspace import LiveExpander, Workspace
 from sdfcheck.lsp.xacro_names import Known, xacro_names
@@ -540,10 +539,10 @@ def project_files(workspace: Workspace, path: Path, wanted: bytes = b"") -> Iter
         if wanted in buffer.data:
             yield buffer.path
     own = [folder for folder in workspace.folders if path.is_relative_to(folder)]
-    folder = own[0] if own else project_root(path)
-    if not os.path.isdir(folder) or (not own and not os.path.exists(path)):
+    if not own and not os.path.exists(path):
         return
-    for file in workspace.listed(folder)[:MOST_FILES]:
+    places = own[:1] or workspace.library(path).packages(path).places
+    for file in workspace.listed(places)[:MOST_FILES]:
         if workspace.key(file) in workspace.buffers:
             continue
         try:

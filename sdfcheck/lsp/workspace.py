@@ -690,9 +690,10 @@ class Workspace:
         document.library = library
         return document
 
-    def listed(self, folder: Path) -> list[Path]:
-        """The descriptions in a folder."""
-        found = discover([folder], exclude=lambda each: self.settings_for(each).excludes(each))
+    def listed(self, places: Iterable[Path]) -> list[Path]:
+        """The descriptions in some folders, and single files."""
+        there = [place for place in places if os.path.exists(place)]
+        found = discover(there, exclude=lambda each: self.settings_for(each).excludes(each))
         return [file.path for file in found.files]
 
     def _configuration(self) -> Configuration:

@@ -50,7 +50,6 @@ if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.resources import Resource
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
 

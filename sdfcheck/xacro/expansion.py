@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import Any, TypeGuard
 
 from sdfcheck.files.library import Surroundings as Places
-from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.files.packages import Packages, is_shared, project_root
 from sdfcheck.files.regular import Bounds, note_read, read_named
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.problems import SyntaxDefect
@@ -287,7 +287,10 @@ class Expander:
         root = self.surroundings.root or project_root(path)
         if root not in self._packages:
             around = self.surroundings
-            self._packages[root] = Packages(root, around.packages, around.package_paths, around.environment)
+            is_flat = around.root is None and is_shared(root)
+            self._packages[root] = Packages(
+                root, around.packages, around.package_paths, around.environment, is_flat=is_flat
+            )
         return self._packages[root]
 
     def expand(self, document: Document, arguments: Mapping[str, str] | None = None) -> Expansion:
@@ -354,6 +357,7 @@ class Expander:
             "packages": {name: os.path.abspath(folder) for name, folder in packages.given.items()},
             "paths": [os.path.abspath(folder) for folder in packages.paths],
             "environment": packages.environment,
+            "flat": packages.is_flat,
             "cwd": os.getcwd(),
         }
         return self._worker.ask({**request, **wanted}, self.surroundings.limits)
@@ -396,7 +400,7 @@ def _is_missing_argument(problem: Problem) -> TypeGuard[ExpansionFailure]:
 def _readable(packages: Packages) -> Bounds:
     """The places that the process that expands may read from."""
     trusted = [os.fspath(folder) for folder in packages.trusted()]
-    roots = (os.fspath(packages.root), *map(os.fspath, packages.installed()), *trusted)
+    roots = (*map(os.fspath, packages.places), *map(os.fspath, packages.installed()), *trusted)
     return Places(tuple(map(os.path.realpath, roots)), tuple(map(os.path.abspath, trusted)), ())
 
 

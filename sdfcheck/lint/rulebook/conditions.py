@@ -19,6 +19,7 @@ from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.index import keep
 from sdfcheck.lint.rulebook.pack import CONDITIONS, Pack, PackError, rule_classes
 from sdfcheck.lint.rulebook.plugins import import_pack
+from sdfcheck.lint.run import BUILT_IN
 
 _HEAD = '''"""The conditions of the rules, so that a clean file loads one module; written by ``make generate``."""
 
@@ -80,10 +81,12 @@ class _Conditions:
             return self._define(module, node, f"{module.prefix}__{name}")
         raise module.refusal(use, f"a condition uses `{name}`: not a constant, plain function or import")
 
-    def pattern(self) -> str:
-        """The name of what makes a regular expression that is compiled at its first use."""
+    def deferred(self, call: ast.Call) -> ast.Call | None:
+        """A call of ``re.compile`` as one that compiles at the first use; None for packs that may pass patterns on."""
+        if self._pack.package != BUILT_IN:
+            return None
         self._imports.add("from sdfcheck.source.text import pattern")
-        return "pattern"
+        return ast.Call(ast.Name("pattern", ast.Load()), call.args, call.keywords)
 
     def text(self) -> str:
         table = "".join(f"    {code!r}: {name},\n" for code, name in sorted(self._names.items()))
@@ -147,8 +150,12 @@ class _Copier(ast.NodeTransformer):
 
     def visit_Call(self, node: ast.Call) -> ast.AST:
         if ast.unparse(node.func) == "re.compile" and "re" in self._module.defined:
-            arguments = [self.visit(argument) for argument in node.args]
-            return ast.Call(ast.Name(self._conditions.pattern(), ast.Load()), arguments, [])
+            node.args = [self.visit(argument) for argument in node.args]
+            node.keywords = [self.visit(keyword) for keyword in node.keywords]
+            if deferred := self._conditions.deferred(node):
+                return deferred
+            node.func = self.visit(node.func)
+            return node
         return self.generic_visit(node)
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:

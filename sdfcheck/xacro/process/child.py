@@ -69,11 +69,13 @@ def send(stream: BinaryIO, data: bytes) -> None:
 
 def _packages(request: Request, known: dict[str, Packages]) -> Packages:
     """The folders of packages; looked up before the fork if they will be needed, so that it is done once."""
-    key = json.dumps([request[name] for name in ("root", "packages", "paths", "environment")])
+    key = json.dumps([request[name] for name in ("root", "packages", "paths", "environment", "flat")])
     if key not in known:
         named = {name: Path(folder) for name, folder in request["packages"].items()}
         paths = [Path(folder) for folder in request["paths"]]
-        known[key] = Packages(Path(request["root"]), named, paths, request["environment"])
+        known[key] = Packages(
+            Path(request["root"]), named, paths, request["environment"], is_flat=request["flat"]
+        )
     if "$(find" in request["text"]:
         known[key].survey()
     return known[key]
@@ -82,7 +84,7 @@ def _packages(request: Request, known: dict[str, Packages]) -> Packages:
 def _serve(request: Request, known: dict[str, Packages]) -> bytes:
     packages = _packages(request, known)
     readable = sandbox.Readable(
-        request["root"], [*map(str, packages.trusted())], [*map(str, packages.installed())]
+        [*map(str, packages.places)], [*map(str, packages.trusted())], [*map(str, packages.installed())]
     )
     if sys.platform == "win32" or not hasattr(os, "fork"):
         return _answer(request, packages, readable, mmap.mmap(-1, CRUMBS))

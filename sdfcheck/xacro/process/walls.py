@@ -280,7 +280,7 @@ def limit(limits: Mapping[str, int]) -> None:
 
 
 class Readable:
-    """The files that may be read: below the project's root, or below a folder that was pointed out.
+    """The files that may be read: in the ``places`` of the project, or below a folder that was pointed out.
 
     A link inside the project, or in what its workspace has ``installed``, does not lead out of them.
     ``linked`` are files behind links out of a folder that was pointed out, as far as they are known.
@@ -288,8 +288,8 @@ class Readable:
 
     __slots__ = ("linked", "links", "roots")
 
-    def __init__(self, root: str, trusted: Sequence[str], installed: Sequence[str] = ()) -> None:
-        self.roots = tuple(_plain(os.path.realpath(folder)) for folder in (root, *installed, *trusted))
+    def __init__(self, places: Sequence[str], trusted: Sequence[str], installed: Sequence[str] = ()) -> None:
+        self.roots = tuple(_plain(os.path.realpath(folder)) for folder in (*places, *installed, *trusted))
         self.links = tuple(_plain(os.path.abspath(folder)) for folder in trusted)
         self.linked: list[str] = []
 

@@ -104,8 +104,9 @@ def test_a_text_that_is_no_description_is_not_shown(
         assert "this looks like plain text" in shown
         assert SECRET not in shown
     (project / "b.sdf").symlink_to("../secret.txt")
-    assert main(["lint", "b.sdf"]) == 2
-    assert SECRET not in everything(capsys)
+    for kind in ("auto", "sdf", "urdf", "xacro", "srdf", "model-config"):
+        assert main(["lint", "b.sdf", "--kind", kind]) == 2
+        assert SECRET not in everything(capsys)
 
 
 def test_packages_and_models_are_found_beside_the_project(

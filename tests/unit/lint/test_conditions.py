@@ -16,6 +16,7 @@ from sdfcheck.lint.rulebook.plugins import find_pack
 
 LIMITS = """
 import math
+import re
 from collections.abc import Iterator
 from math import inf
 from typing import Any, Final
@@ -25,6 +26,7 @@ from {pack}.words import TALL, is_known
 
 SMALL: Final = 1e-3
 LEAST = (SMALL, -inf)
+LIMIT = re.compile("LIMIT", flags=re.IGNORECASE)
 
 
 def size(element: Element) -> float:
@@ -47,7 +49,8 @@ class OddLimit(Rule):
     def applies(limit: Element) -> bool:
         '''Is it?'''
         sizes = [size(limit) for _ in range(2)]
-        return math.isfinite(sum(sizes)) and limit.name != TALL
+        is_limit = re.search(LIMIT, limit.name) is not None
+        return math.isfinite(sum(sizes)) and is_limit and limit.name != TALL
 
     def check(self, limit: Element) -> Iterator[Diagnostic]:
         yield self.diagnostic(limit, "odd")
@@ -63,6 +66,7 @@ def is_known(name):
 EXPECTED = """
 from math import inf as math_inf
 import math as math_
+import re as re_
 
 odd_limit__SMALL = 0.001
 
@@ -79,9 +83,12 @@ def odd_limit__size(element):
     found = max(odd_limit__LEAST)
     return found if words__is_known(element.name) else odd_limit__size(element)
 
+odd_limit__LIMIT = re_.compile('LIMIT', flags=re_.IGNORECASE)
+
 def XYZ001_applies(limit):
     sizes = [odd_limit__size(limit) for _ in range(2)]
-    return math_.isfinite(sum(sizes)) and limit.name != words__TALL
+    is_limit = re_.search(odd_limit__LIMIT, limit.name) is not None
+    return math_.isfinite(sum(sizes)) and is_limit and (limit.name != words__TALL)
 
 CONDITIONS = {
     'XYZ001': XYZ001_applies,

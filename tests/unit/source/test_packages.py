@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.xacro.expansion import expand
 
 
 def package(folder: Path, name: str) -> Path:
@@ -97,6 +99,42 @@ def test_the_home_folder_is_no_project(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(tmp_path)
     (tmp_path / "robots").mkdir()
     assert project_root(tmp_path / "robots" / "a.xacro") == tmp_path / "robots"
+
+
+def test_a_lone_file_in_the_home_folder_has_the_files_beside_it_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    package(tmp_path / "secret", "secret")
+    for name in ("a.xacro", "b.yaml", ".hidden.yaml"):
+        (tmp_path / name).touch()
+    (tmp_path / "link.yaml").symlink_to("secret/package.xml")
+    (tmp_path / "below").mkdir()
+    packages = Packages(project_root(tmp_path / "a.xacro"), environment={}, is_flat=True)
+    assert packages.places == (tmp_path / "a.xacro", tmp_path / "b.yaml")
+    assert packages.find("secret") is None
+    assert list(packages.files(".xacro", 9)) == [tmp_path / "a.xacro"]
+    around = Library().around(tmp_path / "a.xacro")
+    assert around.hold(tmp_path / "b.yaml", str(tmp_path / "b.yaml"))
+    assert not around.hold(tmp_path / "below/c.yaml", str(tmp_path / "below/c.yaml"))
+    named = Library(SearchPaths(packages_in=(tmp_path,))).packages(tmp_path / "a.xacro")
+    assert named.find("secret") == tmp_path / "secret"
+
+
+def test_xacro_reads_beside_a_file_in_the_home_folder_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.chdir("/")
+    (tmp_path / "below").mkdir()
+    for place in ("beside.yaml", "below/secret.yaml"):
+        (tmp_path / place).write_text("{mass: 5}")
+        (tmp_path / "a.xacro").write_text(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+            f"<link name=\"l${{xacro.load_yaml('{place}')['mass']}}\"/></robot>"
+        )
+        text = expand(tmp_path / "a.xacro").text
+        assert (text is not None and "l5" in text) == (place == "beside.yaml")
 
 
 def test_folders_that_cannot_be_listed_hold_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
