@@ -21,7 +21,7 @@ from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import LARGEST, definitions, occurrences, project_files, references
-from sdfcheck.lsp.outline import Maker, Part, folds, links, outline, target_of
+from sdfcheck.lsp.outline import Maker, Outlined, Part, folds, links, outline, target_of
 from sdfcheck.lsp.rename import Refused, Target, rename, target
 from sdfcheck.lsp.speech import NAME, ProtocolTypes, Units, Written, place_of, plain
 from sdfcheck.lsp.workspace import Buffer, Workspace
@@ -133,6 +133,8 @@ class Answers:
         self.findings = findings
         self.speech = speech
         self.edits = Edits(workspace, speech)
+        self._outlined: dict[str, Outlined[str]] = {}
+        """The address of the text that was asked about last, and its outline."""
 
     def document(self, buffer: Buffer) -> Document:
         """The document of an open text, with its library."""
@@ -214,7 +216,11 @@ class Answers:
     def symbols(self, buffer: Buffer, _: Any) -> Written | list[types.SymbolInformation]:
         source = buffer.source
         if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
-            return Written(f"[{','.join(outline(source, self._written_symbol(source)))}]")
+            before = self._outlined.get(buffer.uri)
+            if before is None or before.source is not source:
+                before = outline(source, self._written_symbol(source), before)
+                self._outlined = {buffer.uri: before}
+            return Written(f"[{','.join(before.parts)}]")
         return [
             types.SymbolInformation(
                 self.speech.location(source.span(*place)),
@@ -222,7 +228,7 @@ class Answers:
                 _SYMBOLS.get(kind, _OTHER),
                 container_name=holder,
             )
-            for rows in outline(source, _flat)
+            for rows in outline(source, _flat).parts
             for kind, name, place, holder in rows
         ]
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator
-from itertools import groupby, repeat
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import groupby
 from operator import itemgetter
 from pathlib import Path
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from sdfcheck.files.uris import locate
 from sdfcheck.lsp.cursor import elements
+from sdfcheck.lsp.workspace import same_ends
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -51,6 +52,7 @@ _MATERIAL = re.compile(r"<material\s")
 _TYPE = re.compile(r"(?:^|\s)type\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
 _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
 """The attribute that holds the name, where it is another one."""
+_UNITS = frozenset({"model", "link", "joint", "xacro:macro"})
 _TYPED = frozenset({"joint", "sensor", "light"})
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 
@@ -66,45 +68,110 @@ Maker = Callable[[Part[T], int], T]
 """Makes something of a part and where it ends."""
 
 
-def outline(source: Source, made: Maker[T]) -> list[T]:  # noqa: C901 - the hot loop
-    """The named parts of a text, as a tree; found by their tags alone, broken or not."""
-    text = source.text
-    top: list[T] = []
-    stack: list[Part[T]] = []
+class Outlined(NamedTuple, Generic[T]):
+    """The outline of a text.
 
-    def close(end: int) -> None:
+    ``units`` are its larger parts that are whole, by where they start: where they end, and what was made of each.
+    """
+
+    source: Source
+    parts: list[T]
+    units: dict[int, tuple[int, T]]
+
+
+def outline(source: Source, made: Maker[T], before: Outlined[T] | None = None) -> Outlined[T]:
+    """The named parts of a text, as a tree; found by their tags alone, broken or not.
+
+    What was made of the same parts of the text ``before`` is taken from there.
+    """
+    known = {} if before is None else _unchanged(before, source)
+    outliner = _Outliner(source.text, made, known)
+    outliner.read()
+    return Outlined(source, outliner.top, outliner.units)
+
+
+class _Outliner(Generic[T]):
+    """Reads a text for its outline, but for the units that are known."""
+
+    def __init__(self, text: str, made: Maker[T], known: Mapping[int, tuple[int, T]]) -> None:
+        self.text = text
+        self.made = made
+        self.known = known
+        self.units = {**known}
+        self.top: list[T] = []
+        self._stack: list[Part[T]] = []
+        self._stray = -1
+        """Where the last end tag of nothing ends: one day it may close what is around its unit."""
+        ends = (text.find("<!--", text.rfind("-->") + 1), text.find("<![CDATA[", text.rfind("]]>") + 1))
+        self._sure = min((end for end in ends if end >= 0), default=len(text))
+        """Where a comment begins that may end one day, and then hold what is after its beginning."""
+
+    def read(self) -> None:
+        text, stack, known = self.text, self._stack, self.known
+        search = _TAGS[_MATERIAL.search(text) is not None].search
+        at = 0
+        while (tag := search(text, at)) is not None:
+            at = tag.end()
+            match tag.lastindex:
+                case 4 if stack:
+                    self._end(tag[4], tag.start(), at)
+                case 3:
+                    start = tag.start()
+                    if start in known:
+                        at, found = known[start]
+                        (stack[-1][6] if stack else self.top).append(found)
+                        continue
+                    kind, name, inside, _ = tag.groups()
+                    detail, place = kind, tag.span(2)
+                    if name is None or kind in _OTHERS:
+                        name, place = _labelled(kind, text, start, at - 1)
+                    if kind in _TYPED and (typed := _TYPE.search(inside)) is not None:
+                        detail = f"{kind} {typed[1]}".strip()
+                    stack.append((kind, detail, name, start, *place, []))
+                    if inside[-1:] == "/":
+                        self._close(at, is_whole=True)
+        while stack:
+            self._close(len(text), is_whole=False)
+
+    def _end(self, kind: str, start: int, end: int) -> None:
+        """Take an end tag: it ends the innermost element of its name, and those in it."""
+        stack = self._stack
+        if stack[-1][0] != kind:
+            if not any(each[0] == kind for each in stack):
+                self._stray = end
+                return
+            while stack[-1][0] != kind:
+                self._close(start, is_whole=False)
+        self._close(end, is_whole=True)
+
+    def _close(self, end: int, *, is_whole: bool) -> None:
         """An element ends: it belongs to the one around it, or else its parts do."""
-        part = stack.pop()
+        part = self._stack.pop()
         kind, detail, name, start, _, _, parts = part
         if not name:
             if kind == "material" and not parts:
                 return
-            part = (kind, detail, _named(kind, text, start, end), *part[3:])
-        (stack[-1][6] if stack else top).append(made(part, end))
+            part = (kind, detail, _named(kind, self.text, start, end), *part[3:])
+        found = self.made(part, end)
+        if kind in _UNITS and is_whole and self._stray < start and end <= self._sure:
+            self.units[start] = end, found
+        (self._stack[-1][6] if self._stack else self.top).append(found)
 
-    for tag in _TAGS[_MATERIAL.search(text) is not None].finditer(text):
-        match tag.lastindex:
-            case 4 if stack:
-                closed = tag[4]
-                if stack[-1][0] != closed:
-                    if not any(each[0] == closed for each in stack):
-                        continue
-                    while stack[-1][0] != closed:
-                        close(tag.start())
-                close(tag.end())
-            case 3:
-                kind, name, inside, _ = tag.groups()
-                detail, place = kind, tag.span(2)
-                if name is None or kind in _OTHERS:
-                    name, place = _labelled(kind, text, tag.start(), tag.end() - 1)
-                if kind in _TYPED and (typed := _TYPE.search(inside)) is not None:
-                    detail = f"{kind} {typed[1]}".strip()
-                stack.append((kind, detail, name, tag.start(), *place, []))
-                if inside[-1:] == "/":
-                    close(tag.end())
-    while stack:
-        close(len(text))
-    return top
+
+def _unchanged(before: Outlined[T], source: Source) -> dict[int, tuple[int, T]]:
+    """The units of an outline that are the same in another text, where they start there, on the same lines."""
+    old, new = before.source.text, source.text
+    if (_MATERIAL.search(old) is None) != (_MATERIAL.search(new) is None):
+        return {}
+    first, rest = same_ends(old, new)
+    last = len(old) - rest
+    found = {start: unit for start, unit in before.units.items() if unit[0] <= first}
+    if len(source.line_starts) == len(before.source.line_starts):
+        begins, moved = old.find("\n", last), len(new) - len(old)
+        for start, (end, made) in before.units.items():
+            if start > begins >= 0:
+                found[start + moved] = end + moved, made
+    return found
 
 
 def _labelled(kind: str, text: str, start: int, end: int) -> tuple[str, tuple[int, int]]:
@@ -128,16 +195,17 @@ Fold = tuple[int, int, bool]
 
 def folds(document: Document) -> list[Fold]:
     """The elements and comments of several lines."""
-    lines, scan = [*document.source.line_starts, len(document.source.text) + 1], document.scan
-    found: dict[int, tuple[int, bool]] = {}
-    firsts = map(bisect_right, repeat(lines), scan.starts)
-    for first, close in zip(firsts, scan.closes, strict=True):
-        if (
-            lines[first] <= close
-            and first - 1 not in found
-            and (last := bisect_right(lines, close, first)) > first + 1
-        ):
-            found[first - 1] = last - 2, False
+    import numpy as np
+
+    lines, scan = document.source.line_starts, document.scan
+    firsts = np.searchsorted(lines, scan.starts, "right")
+    lasts = np.searchsorted(lines, scan.closes, "right")
+    is_long = lasts > firsts + 1
+    folded, outermost = np.unique(firsts[is_long], return_index=True)
+    ends = lasts[is_long][outermost]
+    found = {
+        first: (last, False) for first, last in zip((folded - 1).tolist(), (ends - 2).tolist(), strict=True)
+    }
     for start, end in scan.comments:
         first, last = bisect_right(lines, start) - 1, bisect_right(lines, end) - 1
         if last > first and first not in found:

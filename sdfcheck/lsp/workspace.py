@@ -152,7 +152,12 @@ class _Shifted(QuickScan):
         start, end = old.starts[first], old.close_ends[first]
 
         def replaced(before: list[int], inside: list[int]) -> list[int]:
-            return [*before[:first], *(start + at for at in inside), *(at + shift for at in before[after:])]
+            later = before[after:]
+            return [
+                *before[:first],
+                *map(start.__add__, inside),
+                *(map(shift.__add__, later) if shift else later),
+            ]
 
         self.starts, self.ends = replaced(old.starts, piece.starts), replaced(old.ends, piece.ends)
         self.closes = replaced(old.closes, piece.closes)

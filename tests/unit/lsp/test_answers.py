@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 
 import pytest
@@ -21,6 +22,7 @@ from sdfcheck.lsp.rename import Refused, Target, rename
 from sdfcheck.lsp.speech import ProtocolTypes
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
+from sdfcheck.source.text import Source
 from tests.unit.lsp.texts import ROBOT
 
 SDF = """\
@@ -203,7 +205,28 @@ def test_the_world_is_not_renamed_where_it_is_called_world() -> None:
 
 def test_the_outline_has_the_parts() -> None:
     _, document = opened(SDF)
-    assert outline(document.source, shown) == ["sdf(m(arm(), hand(), j(), p()))"]
+    assert outline(document.source, shown).parts == ["sdf(m(arm(), hand(), j(), p()))"]
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_an_outline_that_follows_edits_is_that_of_the_text(seed: int) -> None:
+    chance = random.Random(seed)
+    model = '<model name="m{}"><link name="a"><visual name="v"/></link>\n <joint name="j" type="fixed"/>\n</model>\n'
+    text = '<sdf version="1.12">\n' + "".join(map(model.format, range(9))) + "</sdf>"
+    pieces = ("\n", "<", "x", "</link>", "<!--", "-->", '<link name="l">', "<material name='c'/>", "")
+
+    def made(part: Part[str], end: int) -> str:
+        places = [source.position(offset) for offset in (*part[3:6], end)]
+        return f"{part[:3]} {places} {part[6]}"
+
+    source = Source(Path("w.sdf"), text)
+    known = outline(source, made)
+    for _ in range(12):
+        at = chance.randrange(len(text))
+        text = text[:at] + chance.choice(pieces) + text[at + chance.randrange(3) :]
+        source = Source(Path("w.sdf"), text)
+        known = outline(source, made, known)
+        assert known.parts == outline(source, made).parts
 
 
 def shown(part: Part[str], _: int) -> str:
