@@ -14,7 +14,7 @@ import statistics
 import subprocess
 import sys
 import time
-from itertools import cycle
+from itertools import count, cycle
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -42,9 +42,9 @@ class Server:
             }
         }
         self.ask("initialize", processId=None, rootUri=folder.as_uri(), capabilities=able)
-        self.tell("initialized")
+        self.notify("initialized")
 
-    def tell(self, method: str, **params: object) -> None:
+    def notify(self, method: str, **params: object) -> None:
         self._send({"method": method, "params": params})
 
     def ask(self, method: str, **params: object) -> tuple[float, float]:
@@ -106,59 +106,55 @@ class Server:
             self.inbox.put(message)
 
 
-def type_into(file: Path, rounds: int) -> dict[str, list[float]]:
-    """Change one digit of a number in the middle of a file, and ask; seconds by name of what was measured."""
-    text = file.read_text(encoding="utf-8")
-    numbers = list(_VALUE.finditer(text))
-    at = numbers[len(numbers) // 2].end() - 1
-    line, column = text.count("\n", 0, at), at - text.rfind("\n", 0, at) - 1
-    place = {"line": line, "character": column}
-    of_file = {"uri": file.as_uri()}
-    found: dict[str, list[float]] = {}
+class Typist:
+    """Writes over one digit of a number in the middle of an open file, and asks."""
 
-    def note(name: str, seconds: float) -> None:
-        found.setdefault(name, []).append(seconds)
-
-    server = Server(file.parent)
-    try:
-        server.tell(
-            "textDocument/didOpen", textDocument={**of_file, "languageId": "xml", "version": 1, "text": text}
-        )
+    def __init__(self, server: Server, file: Path) -> None:
+        text = file.read_text(encoding="utf-8")
+        numbers = list(_VALUE.finditer(text))
+        at = numbers[len(numbers) // 2].end() - 1
+        self.place = {"line": text.count("\n", 0, at), "character": at - text.rfind("\n", 0, at) - 1}
+        self.file = {"uri": file.as_uri()}
+        self.server = server
+        self.seconds: dict[str, list[float]] = {}
+        """The seconds of each round, by name of what was measured."""
+        self._letters = cycle("1x23x4x56x7x89x0")
+        self._versions = count(1)
+        opened = {**self.file, "languageId": "xml", "version": next(self._versions), "text": text}
+        server.notify("textDocument/didOpen", textDocument=opened)
         server.until_quiet()
-        letters = cycle("1x23x4x56x7x89x0")
 
-        def type_one(version: int) -> None:
-            over = {"start": place, "end": {**place, "character": column + 1}}
-            server.tell(
-                "textDocument/didChange",
-                textDocument={**of_file, "version": version},
-                contentChanges=[{"range": over, "text": next(letters)}],
-            )
+    def type_one(self) -> None:
+        over = {"start": self.place, "end": {**self.place, "character": self.place["character"] + 1}}
+        self.server.notify(
+            "textDocument/didChange",
+            textDocument={**self.file, "version": next(self._versions)},
+            contentChanges=[{"range": over, "text": next(self._letters)}],
+        )
 
-        for number in range(rounds):
-            begin = time.perf_counter()
-            type_one(number)
-            if last := server.until_quiet():
-                note("diagnostics, whole", last - begin)
-            for name, method in (("outline", "documentSymbol"), ("outline again", "documentSymbol")):
-                waited, computed = server.ask(f"textDocument/{method}", textDocument=of_file)
-                note(f"unchanged, {name}", waited)
-                note(f"unchanged, {name}, processor", computed)
-            for name, method, where in (
-                ("outline", "documentSymbol", {}),
-                ("folding", "foldingRange", {}),
-                ("hover", "hover", {"position": place}),
-                ("completion", "completion", {"position": place}),
-            ):
-                type_one(number)
-                waited, computed = server.ask(f"textDocument/{method}", textDocument=of_file, **where)
-                note(name, waited)
-                note(f"{name}, processor", computed)
-                server.until_quiet()
-        note("memory, MB", server.memory / 1e6)
-    finally:
-        server.close()
-    return found
+    def ask(self, name: str, method: str, **where: object) -> None:
+        waited, computed = self.server.ask(f"textDocument/{method}", textDocument=self.file, **where)
+        self.note(name, waited)
+        self.note(f"{name}, processor", computed)
+
+    def note(self, name: str, seconds: float) -> None:
+        self.seconds.setdefault(name, []).append(seconds)
+
+    def round(self) -> None:
+        begin = time.perf_counter()
+        self.type_one()
+        if last := self.server.until_quiet():
+            self.note("diagnostics", last - begin)
+        self.ask("outline, unchanged", "documentSymbol")
+        for name, method, where in (
+            ("outline", "documentSymbol", {}),
+            ("folding", "foldingRange", {}),
+            ("hover", "hover", {"position": self.place}),
+            ("completion", "completion", {"position": self.place}),
+        ):
+            self.type_one()
+            self.ask(name, method, **where)
+            self.server.until_quiet()
 
 
 def main() -> None:
@@ -166,9 +162,17 @@ def main() -> None:
     parser.add_argument("file", type=Path)
     parser.add_argument("--rounds", type=int, default=10)
     choice = parser.parse_args()
-    for name, values in type_into(choice.file.resolve(), choice.rounds).items():
-        scale, unit = (1, "") if name.startswith("memory") else (1000, " ms")
-        print(f"{name:24} {statistics.median(values) * scale:8.1f}{unit}   at most {max(values) * scale:.1f}")
+    file = choice.file.resolve()
+    server = Server(file.parent)
+    try:
+        typist = Typist(server, file)
+        for _ in range(choice.rounds):
+            typist.round()
+        for name, seconds in typist.seconds.items():
+            print(f"{name:28} {statistics.median(seconds) * 1000:6.1f} ms, at most {max(seconds) * 1000:.1f}")
+        print(f"{'memory':28} {server.memory / 1e6:6.1f} MB")
+    finally:
+        server.close()
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ class Outlined(NamedTuple, Generic[T]):
 def outline(source: Source, made: Maker[T], before: Outlined[T] | None = None) -> Outlined[T]:
     """The named parts of a text, as a tree; found by their tags alone, broken or not.
 
-    What was made of the same parts of the text ``before`` is taken from there.
+    Parts that the text ``before`` has, too, are taken from its outline.
     """
     known = {} if before is None else _unchanged(before, source)
     outliner = _Outliner(source.text, made, known)
