@@ -57,6 +57,11 @@ class DetachedLink(Rule):
             files={"arm.obj": wedge(0.3)},
             why="the size of the other mesh is not known",
         ),
+        Good(
+            '<joint name="j" type="continuous"><origin xyz="9 0 0"/></joint>',
+            scaffold='<robot name="r">{}</robot>',
+            why="nothing is there that could be far away",
+        ),
     )
 
     @staticmethod
@@ -105,7 +110,7 @@ def is_spread(model: Model) -> bool:
     for text in texts:
         with suppress(ValueError):
             longest = max(longest, *(abs(float(word)) for word in text.split() or ("0",)))
-    return longest > FAR and longest > SCHEMATIC * max(map(length, model.links))
+    return longest > FAR and longest > SCHEMATIC * max(map(length, model.links), default=0.0)
 
 
 def nearest(link: Link, others: list[Link], bound: float) -> float:
