@@ -169,6 +169,12 @@ class Protocol(LanguageServerProtocol):
             raise
         return message
 
+    def _execute_handler(self, msg_id: Any, *rest: Any, **named: Any) -> None:
+        """Begin to handle a message; the library keeps what handles a notification for good."""
+        super()._execute_handler(msg_id, *rest, **named)
+        if (future := self._request_futures.get(msg_id)) is not None:
+            future.add_done_callback(lambda _: self._request_futures.pop(msg_id, None))
+
     def _send_response(self, msg_id: Any, result: Any = None, error: Any = None) -> None:
         """Answer a request; what is written already is sent as it is."""
         if error is not None or not isinstance(result, Written):

@@ -14,6 +14,7 @@ from lsprotocol import types
 from benchmarks.editor import Editor
 from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.findings import Findings
+from sdfcheck.lsp.register import make_server
 from sdfcheck.lsp.worker import ANSWER, LINT, Schedule, Worker
 from sdfcheck.lsp.workspace import Choices, Workspace
 from sdfcheck.robot.root import root_of
@@ -45,6 +46,21 @@ async def test_changes_in_quick_succession_make_few_runs_and_never_two_at_once()
         await asyncio.sleep(0.01)
     assert most == 1
     assert len(runs) < 30
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_a_message_that_was_handled_is_forgotten() -> None:
+    server = make_server()
+    document = types.TextDocumentIdentifier("file:///r.urdf")
+    for _ in range(20):
+        server.protocol._handle_notification(
+            types.TEXT_DOCUMENT_DID_SAVE, types.DidSaveTextDocumentParams(document)
+        )
+    for _ in range(100):
+        await asyncio.sleep(0.01)
+        if not server.protocol._request_futures:
+            break
+    assert not server.protocol._request_futures
 
 
 @pytest.mark.asyncio(loop_scope="function")
