@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import ctypes
 import gc
 import heapq
 import threading
@@ -76,12 +77,19 @@ text, diagnostics of files that include it.
 """
 
 PAUSE = 5.0
-"""After so many seconds without a job, garbage is collected: what is read after an edit is read by then."""
+"""After so many seconds without a job, memory is given back: what is read after an edit is read by then."""
 MANY = 500
 """After so many jobs without a pause as well."""
 
 _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], None]]
 """Urgency, number, the work, and what takes its result or its exception."""
+
+
+def _give_back() -> None:
+    """Collect garbage, and give free memory back to the system where its library can (glibc)."""
+    gc.collect()
+    with suppress(AttributeError, OSError, TypeError):
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 class Worker:
@@ -132,7 +140,7 @@ class Worker:
             with self._news:
                 while not self._jobs and not self._is_closed:
                     if not self._news.wait(PAUSE if done_since else None):
-                        gc.collect()
+                        _give_back()
                         done_since = 0
                 if self._is_closed:
                     return
@@ -146,5 +154,5 @@ class Worker:
             del work, done
             done_since += 1
             if done_since >= MANY:
-                gc.collect()
+                _give_back()
                 done_since = 0
