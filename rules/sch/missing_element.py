@@ -18,6 +18,7 @@ from sdfcheck import (
     Value,
     lacking,
     problems,
+    refuses,
     replace,
     warns,
 )
@@ -133,6 +134,8 @@ class MissingElement(Rule):
         if problem.default is not None:
             message += f", so the default {problem.default} applies"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
+        if problem.is_attribute:
+            affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
 
 
