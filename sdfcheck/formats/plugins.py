@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from itertools import product
 from pathlib import Path
 
@@ -75,13 +75,13 @@ def stem(filename: str) -> str:
     return _PREFIX.sub("gz-sim-", base)
 
 
-@cache
+@lru_cache(maxsize=1000)
 def known(filename: str) -> tuple[PluginFacts, ...]:
     """The entries of a file, by generations."""
     return tuple(map(_facts, _entries().get(stem(filename), ())))
 
 
-@cache
+@lru_cache(maxsize=1000)
 def counterparts(filename: str) -> tuple[PluginFacts, ...]:
     """The entries of files that do the same in other generations, such as the drives of Classic."""
     own = _purpose(stem(filename))

@@ -139,7 +139,7 @@ def settings(about: str) -> dict[str, Setting]:
     return {name: one for name, one in all_settings().items() if one.about == about and one.counterparts}
 
 
-@cache
+@lru_cache(maxsize=1000)
 def known_parents(name: str) -> tuple[str, ...]:
     """The elements that may hold one of this name, sorted, of those that urdfdom reads."""
     found: set[str] = set()
