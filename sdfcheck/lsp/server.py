@@ -8,6 +8,7 @@ import json
 import os
 import traceback
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -173,7 +174,12 @@ class Protocol(LanguageServerProtocol):
         """Begin to handle a message; the library keeps what handles a notification for good."""
         super()._execute_handler(msg_id, *rest, **named)
         if (future := self._request_futures.get(msg_id)) is not None:
-            future.add_done_callback(lambda _: self._request_futures.pop(msg_id, None))
+            future.add_done_callback(lambda _: self._forget(msg_id))
+
+    def _forget(self, msg_id: Any) -> None:
+        """Forget a message, but not at once: the library goes through all of them when it ends, and cancels each."""
+        with suppress(RuntimeError):  # the loop has ended
+            asyncio.get_running_loop().call_soon(self._request_futures.pop, msg_id, None)
 
     def _send_response(self, msg_id: Any, result: Any = None, error: Any = None) -> None:
         """Answer a request; what is written already is sent as it is."""
