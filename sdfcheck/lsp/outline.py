@@ -53,6 +53,7 @@ _TYPE = re.compile(r"(?:^|\s)type\s*=\s*[\"']\s*([^\"']*?)\s*[\"']")
 _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
 """The attribute that holds the name, where it is another one."""
 _UNITS = frozenset({"model", "link", "joint", "xacro:macro"})
+"""The elements whose part of an outline is kept while an edit elsewhere leaves their text as it is."""
 _TYPED = frozenset({"joint", "sensor", "light"})
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 

@@ -110,7 +110,7 @@ def _line(source: Source, number: int, marks: list[Mark], look: _Look) -> Iterat
 def _extent(stroke: _Stroke, view: _View, columns: Sequence[int]) -> tuple[int, int]:
     """The cells to underline, at least one; a stroke that is cut off runs on below the `…`."""
     last = len(columns) - 1
-    left, right = (columns[max(0, min(at - view.start, last))] for at in (stroke.start, stroke.end))
+    left, right = (columns[min(at - view.start, last)] for at in (stroke.start, stroke.end))
     if stroke.end - view.start > last and view.is_cut_after:
         right += 1
     return left + view.is_cut_before, max(right, left + 1) + view.is_cut_before

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sdfcheck.files.packages import project_root
+from sdfcheck.files.packages import Packages, is_shared, project_root
 from sdfcheck.files.regular import is_below, read_regular
 from sdfcheck.lint.config.reading import parse_toml
 from sdfcheck.lint.config.settings import ConfigFile
@@ -48,10 +48,11 @@ def require_inside(path: Path, found: Path, by: ConfigFile | None) -> None:
     Raises:
         WrongUsage: it does not, and the folder of the one that was found is not trusted.
     """
-    root = os.path.realpath(project_root(found))
-    if is_below(os.path.realpath(path), (root,)) or _is_trusted(found.parent):
+    places, name = _project(found)
+    itself = os.path.join(os.path.realpath(found.parent), found.name)
+    if is_below(os.path.realpath(path), (*places, itself)) or _is_trusted(found.parent):
         return
-    effect = f"leads out of {shown(Path(root))}, {_consent()}"
+    effect = f"leads out of {name}, {_consent()}"
     raise (
         WrongUsage(f"{shown(path)}: a link that {effect}")
         if by is None
@@ -86,14 +87,22 @@ def _reach(path: Path, settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]
         yield "output-format", "writes a file"
     if settings["env"]:
         yield "env", "reads environment variables"
-    root = os.path.realpath(project_root(path))
+    own, name = _project(path)
     for key, places in (
         ("packages", [place for _, place in settings["packages"]]),
         ("package-paths", settings["package_paths"]),
         ("model-paths", settings["model_paths"]),
     ):
-        if not all(is_below(os.path.realpath(place), (root,)) for place in places):
-            yield key, f"leads out of {shown(Path(root))}"
+        if not all(is_below(os.path.realpath(place), own) for place in places):
+            yield key, f"leads out of {name}"
+
+
+def _project(file: Path) -> tuple[tuple[str, ...], str]:
+    """The real places that belong to a file's project, and what to call them."""
+    root = project_root(file)
+    packages = Packages(root, environment={}, is_flat=is_shared(root))
+    name = "the files beside it" if packages.is_flat else shown(Path(os.path.realpath(root)))
+    return tuple(map(os.path.realpath, packages.places)), name
 
 
 def _is_trusted(folder: Path) -> bool:

@@ -153,8 +153,14 @@ class _Trials:
         self._lint = lint
         self._left = TRIALS
         self._refused: set[tuple[str, ...]] = set()
-        self.refusal = ""
-        """Why the first of the fixes that were left out was; empty for none."""
+        self._reasons: dict[tuple[str, ...], str] = {}
+        self._is_changed = False
+        """Whether fixes were applied since some were refused: these may do no harm any more."""
+
+    @property
+    def refusal(self) -> str:
+        """Why the first of the fixes that are left out is; empty for none."""
+        return next((reason for fix, reason in self._reasons.items() if fix in self._refused), "")
 
     def next(self, found: Sequence[Diagnostic], path: Path, *, unsafe: bool) -> list[Fix]:
         """The fixes to try: those of errors that stop every consumer come first, the others are judged by a robot."""
@@ -163,7 +169,11 @@ class _Trials:
             fixes = applicable(each, path, unsafe=unsafe)
             if left := [fix for fix in fixes if _words(fix) not in self._refused]:
                 return left
-        return []
+        if not self._is_changed or self.are_over:
+            return []
+        self._refused.clear()
+        self._is_changed = False
+        return self.next(found, path, unsafe=unsafe)
 
     @property
     def are_over(self) -> bool:
@@ -182,8 +192,10 @@ class _Trials:
                 if half and not self.are_over:
                     groups += [group[half:], group[:half]]
                 else:
-                    self._refused.update(map(_words, group))
-                    self.refusal = self.refusal or str(refusal)
+                    for words in map(_words, group):
+                        self._refused.add(words)
+                        self._reasons.setdefault(words, str(refusal))
+        self._is_changed = bool(self._refused) and (self._is_changed or bool(kept))
         return now, kept
 
     def _after(self, before: _Linted, fixes: Sequence[Fix]) -> _Linted:

@@ -53,13 +53,13 @@ class Tokens(NamedTuple):
 
 
 def name_range(token: Token, text: str) -> tuple[int, int]:
-    """Offsets of the name in a tag; of all of the tag if it has none."""
+    """Offsets of the name in a tag; of all of the tag if it has none, or is written with another one."""
     if token.tag is not None:
         return token.tag.name_start, token.tag.name_end
     if not token.name:
         return token.start, token.end
     start = text.find(token.name, token.start, token.end)
-    return start, start + len(token.name)
+    return (start, start + len(token.name)) if start >= 0 else (token.start, token.end)
 
 
 def first_line(token: Token, text: str) -> tuple[int, int]:

@@ -192,6 +192,12 @@ def test_two_fixes_that_only_together_do_harm() -> None:
     assert result.refusal == "the edits would bring in `bad-word`"
 
 
+def test_a_fix_that_another_one_makes_harmless_is_made_after_it() -> None:
+    rules = swap("p(?!!)", "p!"), swap("q(?!!)", "q!"), swap("(?<=q! )x", "y")
+    result = on_trial(TEXT.format("p q x"), *rules, bad="p!.*x(?=<)")
+    assert (body(result), result.fixed, result.refusal) == ("p! q! y", 3, "")
+
+
 def test_an_error_that_was_there_before_stops_no_fix() -> None:
     result = on_trial(TEXT.format("x p"), swap("p", "q"), bad="x")
     assert (body(result), result.refusal) == ("x q", "")

@@ -126,6 +126,32 @@ def test_the_search_stays_in_the_repository(text: str) -> None:
     assert f"`{key}` leads out of" in refusal(text)
 
 
+@pytest.mark.parametrize(
+    ("text", "effect"),
+    [
+        ('package-paths = ["secret"]', "`package-paths` leads out of the files beside it"),
+        ('extend = "secret/shared.toml"', "`extend` leads out of the files beside it"),
+        ('extend = "shared.toml"', ""),
+    ],
+)
+def test_a_shared_folder_is_not_a_project(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, effect: str
+) -> None:
+    home = tmp_path / "everyone"
+    (home / "secret").mkdir(parents=True)
+    monkeypatch.setenv("HOME", str(home))
+    monkeypatch.setenv("USERPROFILE", str(home))
+    for shared in (home, home / "secret"):
+        (shared / "shared.toml").write_text("ignore = []")
+    (home / "a.sdf").write_text(MODEL)
+    (home / "sdfcheck.toml").write_text(text)
+    if not effect:
+        assert Configuration().settings_for(home / "a.sdf")
+        return
+    with pytest.raises(WrongUsage, match=effect):
+        Configuration().settings_for(home / "a.sdf")
+
+
 def test_a_path_in_the_repository_needs_no_consent(repository: Path) -> None:
     text = (
         'model-paths = ["models"]\npackage-paths = ["."]\noutput-format = ["concise"]\n[packages]\na = "a"\n'

@@ -268,6 +268,18 @@ def test_comments_may_follow_the_root(extra: str) -> None:
     assert not [p for p in scanned(ROBOT + extra).problems if isinstance(p, ContentAfterRoot)]
 
 
+def test_places_of_all_defects_lie_in_the_text() -> None:
+    text = (
+        '<sdf <l me="t" >\n  <link>\n    <i</>\n      <n1</ms>\n/link>\n'
+        "    <name=   <i  <po0</po  </m  </m\n</sdf>\n"
+    )
+    problems = scanned(text).problems
+    assert len(problems) > 5
+    for problem in problems:
+        for span in (problem.span, getattr(problem, "other", None)):
+            assert span is None or 0 <= span.start <= span.end <= len(text), problem
+
+
 def test_a_late_declaration_knows_the_text_before_it() -> None:
     (problem,) = scanned("<!-- c -->\n" + ROBOT).problems
     assert isinstance(problem, LateDeclaration)
