@@ -8,8 +8,9 @@ NEAR = 0.02
 """m of the places, rad of the limits, and of the product of two directions."""
 LEAST = 2
 """Other pairs whose limits and axes agree, so that the robot is known to be symmetric."""
+SPHERE, MESH = '<sphere radius="0.1"/>', '<mesh filename="package://arms/shoulder.stl"/>'
 JOINT = (
-    '<link name="{0}_{1}"><visual><geometry><sphere radius="0.1"/></geometry></visual></link>'
+    f'<link name="{{0}}_{{1}}"><visual><geometry>{SPHERE}</geometry></visual></link>'
     '<joint name="{0}_{1}_joint" type="revolute"><origin xyz="0 {2} {3}"/><parent link="base"/>'
     '<child link="{0}_{1}"/><axis xyz="{4}"/><limit lower="{5}" upper="{6}" effort="1" velocity="1"/></joint>'
 )
@@ -36,7 +37,8 @@ class UnmirroredAxis(Rule):
     An axis and its limits say twice to which side a joint turns. Where a left knee bends from 0 to 2, the right
     one does so about the mirrored axis, or from -2 to 0 about the opposite one. Of 1,131 pairs of joints in public
     robots whose limits are not symmetric 1,120 agree; six of the others are hips and shoulders of a humanoid that
-    reach into its body. Robots are looked at that have two other such pairs which agree.
+    reach into its body. Robots are looked at that have two other such pairs which agree. Of a part that is there twice,
+    with the same mesh, axis and limits, nothing is mirrored.
     """
 
     code = "JNT024"
@@ -64,6 +66,13 @@ class UnmirroredAxis(Rule):
         Good(arm("0 -1 0", "-2", "1"), why="axis and limits are the opposite"),
         Good(arm("0 -1 0", "-1", "1.5"), why="other limits"),
         Good(arm("0 -1 0", "-2", "2"), why="as far to both sides"),
+        Good(
+            arm("0 0 1", "-1", "2").replace(SPHERE, MESH),
+            scaffold=LEGS.replace(SPHERE, MESH).replace(
+                '"0 1 0"/><limit lower="-1"', '"0 0 1"/><limit lower="-1"'
+            ),
+            why="an arm that is there twice",
+        ),
         Good(
             arm("0 -1 0", "-1", "2").replace(
                 '<visual><geometry><sphere radius="0.1"/></geometry></visual>', ""
@@ -104,6 +113,7 @@ def unmirrored(model: Model) -> list[tuple[Joint, Joint]]:
         elif (
             sense(joint, mirror) == -ways
             and is_seen(joint)
+            and not is_copy(joint, mirror)
             and not is_opposed(joint)
             and not is_opposed(mirror)
         ):
@@ -115,6 +125,20 @@ def is_seen(joint: Joint) -> bool:
     """Does it carry a shape? The hand of a robot may be a joint that turns nothing."""
     link = joint.child_link
     return link is not None and any(below.shapes for below in link.below())
+
+
+def is_copy(joint: Joint, mirror: Joint) -> bool:
+    """Is it the same joint of the same part, as of an arm that was bought twice? Nothing of such arms is mirrored."""
+    own, other = (
+        [
+            (shape.geometry.uri, tuple(shape.geometry.scale), shape.position, shape.along)
+            for shape in link.shapes
+            if shape.geometry.shape == "mesh"
+        ]
+        for link in (joint.child_link, mirror.child_link)
+        if link is not None
+    )
+    return bool(own) and own == other and tuple(joint.axis.xyz) == tuple(mirror.axis.xyz)
 
 
 def side(joint: Joint, mirror: Joint) -> int:

@@ -19,6 +19,7 @@ from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
+from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
 
 # Lints a xacro file: as it is written, and as what it expands to.
@@ -43,8 +44,14 @@ def lint_xacro(
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
-    found += [each for each in built if not any(_overlap(each.span, span) for span in left)]
+    found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
     return without_repeats(fold(found))
+
+
+def _with_cause(found: Diagnostic) -> Diagnostic:
+    """The same, with its own place as the cause where that holds what looks like an expression in another file."""
+    is_left = found.cause is None and found.origins and BRACES.search(found.span.text)
+    return found._replace(cause=found.span) if is_left else found
 
 
 def _overlap(one: Span, other: Span) -> bool:

@@ -64,7 +64,8 @@ from sdfcheck.xacro.static.project import includers, is_included, is_whole, proj
 # Expressions that are wrong whatever the values: recognized by the text alone.
 
 
-_BRACES = re.compile(r"\{([^{}$\"':,]+)\}")
+BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
+"""An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -135,7 +136,7 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
     for element, macro in reading(document).elements:
         for attribute, text in texts(element, "{("):
             plain = replaced(text, lambda match: " " * len(match[0]))
-            for match in _BRACES.finditer(plain):
+            for match in BRACES.finditer(plain):
                 names = free_names(match[1])
                 is_known = names <= visible.properties or (
                     macro is not None

@@ -359,7 +359,7 @@ def _words_of(element: Element) -> set[str]:
     }
     for _, text in texts(element):
         words.update(word for _, command in substitutions(text) for word in _WORD.findall(command))
-    if element.name == "xacro:insert_block":
+    if element.name in {"xacro:insert_block", "insert_block"}:  # without the prefix it is meant for one
         words.add(element.attributes.get("name", ""))
     return words
 

@@ -9,7 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch
 from sdfcheck.lint.expanded import lint_xacro
 from sdfcheck.lint.rulebook.packs import load_index
@@ -147,3 +147,22 @@ def test_a_defect_that_several_robots_reach_is_one(tmp_path: Path) -> None:
         )
     (found,) = sdfcheck.lint(tmp_path, isolated=True, select=["SCH014"]).diagnostics
     assert found.origins[-1].span.source.path.name == "a.urdf.xacro"
+
+
+def test_a_forgotten_dollar_in_an_included_file_is_one_mistake(tmp_path: Path) -> None:
+    (tmp_path / "drive.xacro").write_text(
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="drive" params="name">\n'
+        '<transmission name="t"><type>transmission_interface/SimpleTransmission</type>\n'
+        '<joint name="{name}_wheel"><hardwareInterface>VelocityJointInterface</hardwareInterface></joint>\n'
+        '<joint name="${name}_axle"><hardwareInterface>VelocityJointInterface</hardwareInterface></joint>\n'
+        '<actuator name="${name}_motor"/></transmission></xacro:macro></robot>'
+    )
+    (tmp_path / "robot.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:include filename="drive.xacro"/>'
+        '<link name="base"/><xacro:drive name="left"/></robot>'
+    )
+    found = sdfcheck.lint(tmp_path).diagnostics
+    assert [(each.code, each.span.begin.line) for each in found if each.severity is Severity.ERROR] == [
+        ("XAC010", 3),
+        ("URD011", 4),
+    ]
