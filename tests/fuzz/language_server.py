@@ -74,6 +74,11 @@ class LanguageServer:
                     self.process.kill()
             time.sleep(1)
 
+    @property
+    def computed(self) -> float:
+        """The processor time of the process so far, in s."""
+        return self._times()[0]
+
     def _times(self) -> tuple[float, float]:
         """The processor time of the process, where the system says it, and the clock, in s."""
         try:

@@ -41,7 +41,7 @@ class Worker:
         self._renew = renew
         self._done = 0
         self.seconds = 0.0
-        """Processor time of all commands so far, with that of the processes that they started and that have ended."""
+        """Processor time of all commands so far, with that of the server and of processes that have ended."""
         self._process: multiprocessing.process.BaseProcess | None = None
         self._connection: Connection | None = None
 
@@ -94,7 +94,7 @@ def serve(connection: Connection) -> None:
             command, text = connection.recv()
         except EOFError:
             break
-        begin = _processor_time()
+        begin = _processor_time(server)
         with tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
             # A repository: otherwise all files beside the folder could be the project.
             file = Path(folder, "robot", f"file{text.suffix}")
@@ -104,18 +104,19 @@ def serve(connection: Connection) -> None:
             if command == SERVER:
                 server = server or LanguageServer(file.parent)
                 failure = converse(server, file, text.data)
-                if failure is not None:
-                    server.close()
-                    server = None
             else:
                 failure = _in_time(command, file)
-        connection.send((failure, _processor_time() - begin))
+        seconds = _processor_time(server) - begin
+        if server is not None and command == SERVER and failure is not None:
+            server.close()
+            server = None
+        connection.send((failure, seconds))
     if server is not None:
         server.close()
 
 
-def _processor_time() -> float:
-    return sum(os.times()[:4])
+def _processor_time(server: LanguageServer | None) -> float:
+    return sum(os.times()[:4]) + (server.computed if server is not None else 0.0)
 
 
 def _in_time(command: str, file: Path) -> Failure | None:
