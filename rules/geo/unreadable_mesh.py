@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Geometry, Good, Rule, Severity
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Geometry, Good, Missing, MissingKind, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import mesh, wedge
 
 READ = {"STL": ("stl",), "OBJ": ("obj",), "COLLADA": ("dae",), "glTF": ("gltf",), "GLB": ("glb",)}
@@ -35,6 +35,11 @@ class UnreadableMesh(Rule):
         Bad(mesh("visual", "«arm.stl»"), files={"arm.stl": "<html/>"}, says="is not an STL file"),
         Bad(
             mesh("visual", "«arm.stl»"),
+            files={"arm.stl": "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 84\n"},
+            says="the mesh `arm.stl` is a pointer of Git LFS",
+        ),
+        Bad(
+            mesh("visual", "«arm.stl»"),
             files={"arm.stl": wedge(1)},
             says="the mesh `arm.stl` is an OBJ file, and consumers read it by its ending",
         ),
@@ -61,8 +66,12 @@ class UnreadableMesh(Rule):
     def check(self, geometry: Geometry) -> Iterator[Diagnostic]:
         name = geometry.uri.rpartition("/")[2]
         advice = "export it as STL, OBJ or COLLADA" if is_drawing(geometry) else None
+        missing = None
+        if geometry.mesh is not None and geometry.mesh.is_pointer:
+            advice = "fetch the file with `git lfs pull`"
+            missing = Missing(MissingKind.LFS, name)
         target = geometry.uri_value or geometry
-        yield self.diagnostic(target, f"the mesh `{name}` {fault(geometry)}", help=advice)
+        yield self.diagnostic(target, f"the mesh `{name}` {fault(geometry)}", help=advice, missing=missing)
 
 
 def is_drawing(geometry: Geometry) -> bool:

@@ -26,6 +26,10 @@ class MisplacedElement(Rule):
         Bad("<«mass»>2</mass>", says="does not belong in link `base`; it goes into `inertial`"),
         Bad("<«static»>true</static>", says="it goes into `model`"),
         Bad(
+            '<sensor name="s" type="imu"><imu><angular_velocity><«noise»/></angular_velocity></imu></sensor>',
+            says="it goes into `x`, `y` or `z`",
+        ),
+        Bad(
             "<«include»><uri>https://fuel.gazebosim.org/1.0/openrobotics/models/arm</uri></include>",
             scaffold=SDF,
             says="it goes into `model` or `world`",

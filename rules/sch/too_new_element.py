@@ -3,9 +3,6 @@ from collections.abc import Iterator
 from sdfcheck import IN_COLLISION, Bad, Diagnostic, Good, Rule, Severity, problems
 from sdfcheck_rules.sch.newer import report
 
-READ_EVERYWHERE = "include"
-"""libsdformat 1.4.0 reads it in every element already, before it asks the schema (``readXml`` in its parser.cc)."""
-
 
 class TooNewElement(Rule):
     """An element is younger than the version that the file declares.
@@ -59,7 +56,5 @@ class TooNewElement(Rule):
     )
 
     def check(self, problem: problems.TooNewElement) -> Iterator[Diagnostic]:
-        if problem.element.name == READ_EVERYWHERE:
-            return
         uses = tuple(use.span for use in problem.uses)
         yield report(self, problem, problem.element.name, uses)

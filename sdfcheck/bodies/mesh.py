@@ -33,6 +33,7 @@ LIMIT = 128 * MEGABYTE
 """Larger files are not measured."""
 ENDINGS = {".stl": "STL", ".obj": "OBJ", ".dae": "COLLADA", ".gltf": "glTF", ".glb": "GLB"}
 """Ending of a file's name → the format that it promises."""
+_POINTER = "is a pointer of Git LFS, not the file itself"
 _DEPTH = 200
 """Nodes in nodes that are followed."""
 _MOST_FILES = 100
@@ -58,6 +59,11 @@ class Mesh(NamedTuple):
     files: tuple[str, ...] = ()
     """The files that it names: libraries of materials, pictures, buffers."""
 
+    @property
+    def is_pointer(self) -> bool:
+        """Is only a pointer of Git LFS here, and the file itself elsewhere?"""
+        return self.fault == _POINTER
+
 
 class Faulty(ValueError):
     """A file that is not what its format demands; the text says why."""
@@ -75,7 +81,7 @@ def read_mesh(path: Path, read: Read = read_regular) -> Mesh:
     if not data:
         return Mesh(promised, fault="is empty")
     if data.startswith(b"version https://git-lfs"):
-        return Mesh("", fault="is a pointer of Git LFS, not the file itself")
+        return Mesh("", fault=_POINTER)
     found = _format(data, promised)
     if not found:
         return Mesh("", fault=f"is not {_article(promised)} file" if promised else "")

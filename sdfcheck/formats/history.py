@@ -13,8 +13,8 @@ from sdfcheck.formats.table import Row, newest_name
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.record import NamedTuple
 
-READ_IN_ALL_VERSIONS = frozenset(("include/name", "include/pose", "include/static"))
-"""Newer in the tables than in libsdformat, which reads them in files of every version."""
+READ_IN_ALL_VERSIONS = frozenset(("model/include", "include/name", "include/pose", "include/static"))
+"""Newer in the tables than in libsdformat, which reads them in files of every version: 1.4.0 does already."""
 
 
 class Place(NamedTuple):
@@ -114,9 +114,14 @@ def known_places(name: str) -> tuple[Place, ...]:
     return _places().get(name, ())
 
 
-def known_parents(name: str) -> tuple[str, ...]:
-    """The parents, as names from the start of their definition, that allow an element of a name somewhen."""
-    return tuple(dict.fromkeys(place.parent for place in known_places(name)))
+def known_parents(name: str, version: Version | None = None) -> tuple[str, ...]:
+    """The parents, as names from the start of their definition, that allow an element of a name somewhen.
+
+    Those that do so in ``version`` alone, if there are any.
+    """
+    places = known_places(name)
+    living = [place for place in places if version in place.versions]
+    return tuple(dict.fromkeys(place.parent for place in living or places))
 
 
 @cache

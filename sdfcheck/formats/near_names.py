@@ -42,10 +42,11 @@ class Effort:
 def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) -> str | None:
     """The candidate that a misspelled name was meant to be, or None when nothing is near.
 
-    The same letters in another case come first. Otherwise one misspelling (a letter missing,
-    added, wrong, or two swapped) is forgiven, two in a name of six letters or more, three from
-    twelve on; of two equally near the one with the same letters is meant. A name of one or two letters
-    is never guessed from. Candidates for which no ``effort`` is left are not compared.
+    The same letters in another case come first, and with a 1 after them: the first of several.
+    Otherwise one misspelling (a letter missing, added, wrong, or two swapped) is forgiven, two in a name of
+    six letters or more, three from twelve on; of two equally near the one with the same letters is meant. A
+    name of one or two letters is never guessed from. Candidates for which no ``effort`` is left are not
+    compared.
     """
     if len(name) > LONGEST:
         return None
@@ -54,7 +55,7 @@ def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) 
     pool = [(_fold(candidate), candidate) for candidate in sorted(candidates) if len(candidate) <= LONGEST]
     effort.spend(LOOK * len(pool))
     for other, candidate in pool:
-        if other == folded:
+        if folded in {other, f"{other}1"}:
             return candidate
     allowed = 0 if len(folded) < 3 else 1 if len(folded) < 6 else 2 if len(folded) < 12 else 3
     letters = set(folded)

@@ -62,6 +62,7 @@ class MissingKind(Enum):
     PACKAGE = "package"
     MODEL = "model"
     REMOTE = "address on the network"
+    LFS = "Git LFS file"
 
 
 class Missing(NamedTuple):

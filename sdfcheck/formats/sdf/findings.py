@@ -43,8 +43,10 @@ def likely_parents(places: tuple[str, ...], parent: Element, definition: Definit
     chain = _chain(parent)
     ranked: dict[int, list[tuple[int, str]]] = {}
     for place in places:
-        rank, distance = _rank(place.split("/"), chain, definition)
-        ranked.setdefault(rank, []).append((distance, place))
+        steps = place.split("/")
+        inner = _inside(steps, chain, definition)
+        rank, distance = (_BELOW, 0) if inner else _rank(steps, chain)
+        ranked.setdefault(rank, []).append((distance, inner or place))
     best = sorted(ranked[min(ranked)])
     children = sorted(ranked.get(_BELOW, ())) if min(ranked) < _BELOW else []
     return tuple(place for _, place in (*children, *best))
@@ -59,13 +61,19 @@ def _chain(element: Element) -> list[str]:
     return names
 
 
-def _rank(steps: list[str], chain: list[str], definition: Definition) -> tuple[int, int]:
+def _inside(steps: list[str], chain: list[str], definition: Definition) -> str:
+    """The part of a place that is in the parent, for one that begins there or with what encloses it; else empty."""
+    for number, step in enumerate(steps):
+        if step in definition.children and steps[:number] == chain[:number][::-1]:
+            return "/".join(steps[number:])
+    return ""
+
+
+def _rank(steps: list[str], chain: list[str]) -> tuple[int, int]:
     inwards = steps[::-1]
     for distance in range(len(chain)):
         if chain[distance : distance + len(inwards)] == inwards:
             return 0, distance
-    if steps[0] in definition.children:
-        return _BELOW, 0
     if steps[0] in chain[:-1]:
         return 2, chain.index(steps[0])
     return 3, 0
@@ -145,7 +153,7 @@ class SdfFindings(Findings):
                 self.found.append(problems.RemovedElement(child, parent, None, old, successor))
             return
         suggestion = suggest(name, place.children)
-        if places := history.known_parents(name):
+        if places := history.known_parents(name, self.version):
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
             self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))

@@ -94,18 +94,23 @@ def without_sides(name: str) -> str:
 
 
 def mirrored(name: str) -> str:
-    """The name on the other side: left for right; the same where it has no such word.
+    """The name on the other side: left for right; the same where it has no such word, or words for both sides.
 
-    Single letters count at the beginning, for elsewhere they may count through the alphabet.
+    The left finger of the right hand is that of a copy, or of a mirror image. Single letters count at the
+    beginning, for elsewhere they may count through the alphabet.
     """
+    sides = set[bool]()
 
     def other(found: re.Match[str]) -> str:
         word = found[0]
-        if len(word) == 1 and found.start():
+        meant = _WORDS.get(word.lower())
+        if meant is None or (len(word) == 1 and found.start()):
             return word
-        return _like(word, _WORDS.get(word.lower(), word))
+        sides.add(word.lower() in _MIRRORED)
+        return _like(word, meant)
 
-    return _SIDE.sub(other, name)
+    there = _SIDE.sub(other, name)
+    return there if len(sides) == 1 else name
 
 
 def _like(written: str, word: str) -> str:

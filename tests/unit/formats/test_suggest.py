@@ -19,6 +19,7 @@ from sdfcheck.formats.near_names import distance, suggest
         ("izx", ["ixx", "ixz", "izz"], "ixz"),
         ("visul", ["visual"], "visual"),
         ("uri", ["url"], "url"),
+        ("mu1", ["mu2", "mu"], "mu"),
         ("xz", ["x", "z"], None),
         ("far", ["fdir1", "near"], None),
         ("wheel", ["link", "joint"], None),

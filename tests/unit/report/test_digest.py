@@ -66,6 +66,8 @@ def test_files_not_on_this_computer_are_one_block() -> None:
         missing(MissingKind.MODEL, "table"),
         missing(MissingKind.REMOTE, "https://fuel.gazebosim.org/a"),
         missing(MissingKind.REMOTE, "https://fuel.gazebosim.org/b"),
+        missing(MissingKind.LFS, "arm.stl"),
+        missing(MissingKind.LFS, "leg.stl", 2),
     )
     assert "NAM901" not in text
     assert "  1 package (needed 3 times): `arm_description`\n" in text
@@ -74,6 +76,8 @@ def test_files_not_on_this_computer_are_one_block() -> None:
     assert "GZ_SIM_RESOURCE_PATH" in text
     assert "  1 standard model of Gazebo (needed 1 time): `sun`\n" in text
     assert "  2 addresses on the network (needed 2 times)" in text
+    assert "  2 Git LFS files (needed 3 times): `leg.stl` and `arm.stl`\n" in text
+    assert "fetch them with `git lfs pull`" in text
     assert text.endswith("Nothing else found in 1 file.\n")
 
 
