@@ -6,6 +6,7 @@ from sdfcheck import (
     IN_ROBOT,
     IN_URDF_LINK,
     IN_VISUAL,
+    UNFOUND,
     Bad,
     Diagnostic,
     Good,
@@ -16,6 +17,7 @@ from sdfcheck import (
     Severity,
     Value,
 )
+from sdfcheck_rules.res.absences import reactions
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 HOME = re.compile(r"(?:file://)?/(?:home|Users)/[^/\s]+/\S+")
@@ -77,7 +79,9 @@ class AbsolutePath(Rule):
                 )
             return
         if named.uri_value is not None:
-            yield self.diagnostic(named.uri_value, f"absolute path `{named.uri}` holds on one computer only")
+            affects = reactions(named, UNFOUND) if isinstance(named, Resource) else None
+            message = f"absolute path `{named.uri}` holds on one computer only"
+            yield self.diagnostic(named.uri_value, message, affects=affects)
 
 
 def of_somebody(plugin: Plugin) -> Iterator[Value]:

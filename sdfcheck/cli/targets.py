@@ -22,12 +22,15 @@ from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
+from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
+from sdfcheck.xacro.static.definitions import is_robot
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
 
+_PART = "it is a part that other xacro files include, not a robot"
 _FOREIGN = frozenset((Kind.SRDF, Kind.MJCF, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION))
 """Files that are something else, and not just wrong."""
 VERSION = 1
@@ -104,14 +107,18 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     asked = tuple(consumer.value for consumer in consumers)
     check_arguments(around.arguments, [file], around.settings_for(file))
     configuration = around.configuration.with_given(around.configuration.given._replace(target=asked))
-    done = lint([file], Options(configuration, arguments=around.arguments), notify=notify)
+    options = Options(configuration, arguments=around.arguments, is_alone=True)
+    done = lint([file], options, notify=notify)
     if failures:
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    kind = sniff(read_named(file, around.settings_for(file).size_limit), file)
+    data = read_named(file, around.settings_for(file).size_limit)
+    kind = sniff(data, file)
     if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
+    if kind is Kind.XACRO and not is_robot(read(data, file, kind)):
+        return tuple(Row(consumer, Verdict.UNREAD, (), _PART) for consumer in sorted(consumers, key=str))
     return matrix(done, kind, file, consumers)
 
 

@@ -108,7 +108,8 @@ class SearchPaths(NamedTuple):
     """Where names are looked for: folders of models, folders of packages, packages by name.
 
     ``named`` are the folders whose files a person asked about, ``tables`` those of vendors' own
-    elements that are known in addition to the built-in ones.
+    elements that are known in addition to the built-in ones. A file ``is_alone`` where no other one of
+    its project is to speak for it.
     """
 
     models: tuple[Path, ...] = ()
@@ -116,6 +117,7 @@ class SearchPaths(NamedTuple):
     packages: tuple[tuple[str, Path], ...] = ()
     named: tuple[Path, ...] = ()
     tables: tuple[Path, ...] = ()
+    is_alone: bool = False
 
     @property
     def model_folders(self) -> Iterator[Path]:

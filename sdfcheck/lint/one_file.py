@@ -110,12 +110,18 @@ class Selected(NamedTuple):
 class Caches:
     """The libraries and expanders of a run: one for all files that have the same search paths."""
 
-    __slots__ = ("_arguments", "_expand", "_expanders", "_libraries", "_named")
+    __slots__ = ("_arguments", "_expand", "_expanders", "_is_alone", "_libraries", "_named")
 
     def __init__(
-        self, *, expand: bool = True, arguments: ArgumentSet = (), named: tuple[Path, ...] = ()
+        self,
+        *,
+        expand: bool = True,
+        arguments: ArgumentSet = (),
+        named: tuple[Path, ...] = (),
+        is_alone: bool = False,
     ) -> None:
         self._named = named
+        self._is_alone = is_alone
         self._expand = expand
         self._arguments = arguments
         self._libraries: dict[SearchPaths, Library] = {}
@@ -155,7 +161,7 @@ class Caches:
         return Surroundings(dict(settings.packages), settings.package_paths, settings.env)
 
     def library(self, settings: Settings) -> Library:
-        search = settings.search._replace(named=self._named)
+        search = settings.search._replace(named=self._named, is_alone=self._is_alone)
         if search not in self._libraries:
             self._libraries[search] = Library(search, settings.size_limit)
         return self._libraries[search]

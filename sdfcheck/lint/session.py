@@ -83,6 +83,8 @@ class Options(NamedTuple):
     """Files and folders that are left out, also where they are named."""
     changed_since: str = ""
     """A commit of git: only files are linted that a change since then can affect."""
+    is_alone: bool = False
+    """Is each file judged as the whole description that a consumer gets, also where others include it?"""
 
     def settings_for(self, path: Path) -> Settings:
         """The settings of a file."""
@@ -143,7 +145,12 @@ class Linter:
     def __init__(self, options: Options, book: RuleBook | None = None) -> None:
         self._options = options
         self._book = book or RuleBook()
-        self._caches = Caches(expand=options.expand, arguments=options.arguments, named=options.named)
+        self._caches = Caches(
+            expand=options.expand,
+            arguments=options.arguments,
+            named=options.named,
+            is_alone=options.is_alone,
+        )
 
     def __enter__(self) -> Linter:
         return self

@@ -22,6 +22,7 @@ from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import NAME, path_of, plain
 from sdfcheck.lsp.workspace import Choices
 from sdfcheck.source.errors import WrongUsage
+from sdfcheck.source.record import NamedTuple
 
 _DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"
@@ -35,13 +36,23 @@ _SHARE = 20
 """The pause is so many times as long as a look at very many files, or at very long paths, takes."""
 
 
+class Stamps(NamedTuple):
+    """When files were changed last; 0 for those that are not there."""
+
+    files: dict[str, float]
+    configurations: dict[str, tuple[float, ...]]
+    """Folder around an open text → those of the files in it that may configure us."""
+
+
 class FileWatch:
     """Brings in what changes around the open texts."""
 
     def __init__(self, server: Server) -> None:
         self.server = server
         self._polling: asyncio.Task[None] | None = None
-        self._stamps: dict[str, float] = {}
+        self._stamps = Stamps({}, {})
+        self._chains: dict[str, tuple[str, ...]] = {}
+        """Folder with an open text → itself and the folders above it: their names may be long."""
         self._is_configured = False
         """Has the client sent settings after its first request?"""
 
@@ -118,25 +129,27 @@ class FileWatch:
         took = 0.0
         while True:
             await asyncio.sleep(max(_PAUSE, _SHARE * took))
-            nothing: dict[str, float] = {}
             begin = time.monotonic()
-            stamps = await self.server.work(self._look, nothing)
+            stamps = await self.server.work(self._look, Stamps({}, {}))
             took = time.monotonic() - begin
-            before, self._stamps = self._stamps, stamps
-            if not before or stamps == before:
+            (before, settings), self._stamps = self._stamps, stamps
+            if not (before or settings) or stamps == (before, settings):
                 continue
-            changed = {path for path in before.keys() | stamps.keys() if before.get(path) != stamps.get(path)}
-            is_layout = any(os.path.basename(path) in _LAYOUT for path in changed)
-            known = (before.keys() & stamps.keys()) | {path for path, stamp in stamps.items() if stamp < 0}
+            now = stamps.files
+            changed = {path for path in before.keys() | now.keys() if before.get(path) != now.get(path)}
+            is_layout = any(os.path.basename(path) in _LAYOUT for path in changed) or any(
+                settings.get(folder, there) != there for folder, there in stamps.configurations.items()
+            )
+            known = (before.keys() & now.keys()) | {path for path, stamp in now.items() if stamp < 0}
             if is_layout or any(
-                path in known and 0.0 in (before.get(path), stamps.get(path)) for path in changed
+                path in known and 0.0 in (before.get(path), now.get(path)) for path in changed
             ):
                 await self.server.refreshed(self.server.robots.refresh)
             elif changed & known:
                 await self.server.refreshed(self.server.robots.forget)
 
-    def _look(self) -> dict[str, float]:
-        """When the files that count were changed last; 0 for those that are not there."""
+    def _look(self) -> Stamps:
+        """Look at the files that count."""
         robots = self.server.robots
         read = {
             str(document.path)
@@ -145,16 +158,21 @@ class FileWatch:
             if robots.key(document.path) not in robots.buffers
         }
         around = {str(folder / "package.xml") for folder in robots.folders if robots.buffers}
-        for buffer in robots.buffers.values():
-            folder = Path(os.path.abspath(buffer.path)).parent
-            above = map(str, (folder, *folder.parents))
-            around |= {os.path.join(each, name) for each in above for name in NAMES}
+        open_in = {os.path.dirname(os.path.abspath(buffer.path)) for buffer in robots.buffers.values()}
+        self._chains = {folder: self._chains.get(folder) or _chain(folder) for folder in open_in}
         outdated = {path for path in read if not self._is_as_read(path)}
-        return {path: _OUTDATED if path in outdated else _stamp(path) for path in sorted(read | around)}
+        return Stamps(
+            {path: _OUTDATED if path in outdated else _stamp(path) for path in sorted(read | around)},
+            {
+                folder: tuple(_stamp(os.path.join(folder, name)) for name in NAMES)
+                for chain in self._chains.values()
+                for folder in chain
+            },
+        )
 
     def _is_as_read(self, path: str) -> bool:
         """Does a file that was not looked at before hold what was read of it?"""
-        if path in self._stamps:
+        if path in self._stamps.files:
             return True
         libraries = [each for each in self.server.robots.caches.libraries if each.holds(Path(path))]
         try:
@@ -162,6 +180,14 @@ class FileWatch:
         except OSError:
             return False
         return all(each.known(data, Path(path)) is not None for each in libraries)
+
+
+def _chain(folder: str) -> tuple[str, ...]:
+    """A folder and those above it."""
+    found = [folder]
+    while (above := os.path.dirname(found[-1])) != found[-1]:
+        found.append(above)
+    return tuple(found)
 
 
 def _stamp(path: str) -> float:

@@ -116,6 +116,8 @@ class Question(NamedTuple):
     packages: tuple[tuple[str, str], ...] = ()
     """Name → folder of ROS packages."""
     model_paths: tuple[str, ...] = ()
+    is_copy: bool = False
+    """Is the file a copy that was made for engines, away from the files that are around the description?"""
 
 
 class Answer(NamedTuple):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.metadata
 import math
+import os
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -38,7 +40,7 @@ class Loaded:
         flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_USE_SELF_COLLISION
         try:
             self.robot = bullet.loadURDF(
-                question["path"], useFixedBase=held, flags=flags, physicsClientId=self.client
+                with_packages(question), useFixedBase=held, flags=flags, physicsClientId=self.client
             )
         except bullet.error as error:
             raise Refused(str(error)) from None
@@ -80,6 +82,18 @@ class Loaded:
         for name, joint in self.single.items():
             value = positions.get(name, 0.0)
             self.bullet.resetJointState(self.robot, joint[0], value, 0.0, self.client)
+
+
+def with_packages(question: dict[str, Any]) -> str:
+    """The file; for a copy one that names the folders of packages, which PyBullet looks for above the file."""
+    path: str = question["path"]
+    if not question.get("is_copy"):
+        return path
+    text = Path(path).read_text("utf-8", "surrogateescape")
+    for name, folder in question.get("packages", ()):
+        text = text.replace(f"package://{name}/", f"{folder}/")
+    Path("copy.urdf").write_text(text, "utf-8", "surrogateescape")
+    return os.path.abspath("copy.urdf")
 
 
 def load(question: dict[str, Any]) -> Loaded:

@@ -43,15 +43,15 @@ class Stage:
         """A question about a document: its file, if that is what was read, else a copy of its text."""
         path, text = document.path, document.source.text
         suffix = ".sdf" if document.kind is Kind.SDF else ".urdf"
-        if path.suffix.lower() != suffix or not _is_text_of(path, text):
+        is_copy = path.suffix.lower() != suffix or not _is_text_of(path, text)
+        if is_copy:
             path = self.write(text, path.stem.partition(".")[0] + suffix)
         library = library_of(document)
         models = [] if library is None else [str(one) for one in library.model_folders]
         packages = packages_in(text, document)
         beside = (str(Path(folder).parent) for name, folder in packages.items() if Path(folder).name == name)
-        return Question(
-            path, action, settings or {}, tuple(packages.items()), tuple(dict.fromkeys((*models, *beside)))
-        )
+        places = tuple(dict.fromkeys((*models, *beside)))
+        return Question(path, action, settings or {}, tuple(packages.items()), places, is_copy)
 
     def write(self, text: str, name: str) -> Path:
         """A text as a file of its own."""
@@ -90,6 +90,6 @@ def _texts_in(folder: Path) -> Iterator[str]:
 
 def _is_text_of(path: Path, text: str) -> bool:
     try:
-        return os.path.isfile(path) and path.read_text("utf-8", "surrogateescape") == text
+        return os.path.isfile(path) and path.read_bytes() == text.encode("utf-8", "surrogateescape")
     except OSError:
         return False

@@ -43,7 +43,7 @@ class Configuration:
         trusted: bool = False,
         given: Settings = UNSET,
     ) -> None:
-        self._by_folder: dict[Path, Settings] = {}
+        self._by_folder: dict[str, Settings] = {}
         self._trusted = trusted
         self._fixed: Settings | None = None
         self.given = given
@@ -70,24 +70,23 @@ class Configuration:
         """The settings of the files in an (absolute) folder."""
         if self._fixed is not None:
             return self._fixed
-        missing: list[Path] = []
+        missing: list[str] = []
+        place, above = "", os.fspath(folder)
         settings: Settings | None = None
-        for place in (folder, *folder.parents):
+        while settings is None and place != above:
+            place, above = above, os.path.dirname(above)
             settings = self._by_folder.get(place)
-            if settings is not None:
-                break
-            missing.append(place)
-            settings = self._found_in(place)
-            if settings is not None:
-                settings = settings.under(self.given)
-                break
+            if settings is None:
+                missing.append(place)
+                settings = self._found_in(place)
+                settings = settings and settings.under(self.given)
         settings = settings or Settings().under(self.given)
         self._by_folder.update(dict.fromkeys(missing, settings))
         return settings
 
-    def _found_in(self, folder: Path) -> Settings | None:
+    def _found_in(self, folder: str) -> Settings | None:
         for name in NAMES:
-            path = f"{folder}{os.sep}{name}"
+            path = os.path.join(folder, name)
             if os.path.isfile(path) and (name != PYPROJECT or _configures_us(path)):
                 settings = load(Path(path), trusted=self._trusted)
                 if not self._trusted:

@@ -103,7 +103,7 @@ def includers(document: Document) -> list[Path]:
 
 
 def _inclusions(document: Document) -> Iterator[_Filename]:
-    if (library := library_of(document)) is not None:
+    if (library := library_of(document)) is not None and not library.search.is_alone:
         packages = library.packages(document.path)
         own = library.disk.real(document.path)
         for each in _project(library, document).of(document.path.name):

@@ -225,3 +225,36 @@ def test_rules_that_are_on_for_one_consumer(
     assert f"[{code}]" in capsys.readouterr().out
     main(["lint", "--target", "gazebo", "--output-format", "concise", str(tmp_path / name)])
     assert f"[{code}]" not in capsys.readouterr().out
+
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+def included(folder: Path, content: str, name: str = "") -> Path:
+    """A file for xacro that another one includes."""
+    (folder / "whole.urdf.xacro").write_text(
+        f'<robot name="whole" {XACRO}><xacro:arg name="side" default="left"/>'
+        '<xacro:include filename="part.urdf.xacro"/></robot>'
+    )
+    path = folder / "part.urdf.xacro"
+    path.write_text(f"<robot {name} {XACRO}>{content}</robot>")
+    return path
+
+
+def test_a_part_of_robots_is_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    part = included(tmp_path, '<link name="base"/>')
+    assert main(["targets", str(part), "--isolated", "--target", "drake"]) == 1
+    assert (
+        capsys.readouterr().out
+        == "drake  not read: it is a part that other xacro files include, not a robot\n"
+    )
+
+
+def test_an_included_robot_is_judged_as_a_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    part = included(tmp_path, '<link name="$(arg side)_base"/>', 'name="part"')
+    assert main(["lint", str(part), "--isolated"]) == 0
+    capsys.readouterr()
+    assert main(["targets", str(part), "--isolated"]) == 0
+    shown = capsys.readouterr().out
+    assert shown.count("reject\n") == len(Consumer)
+    assert "(gets no robot description)" in shown

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from sdfcheck.consumers.engines import Question
+from sdfcheck.consumers.engines.pybullet import with_packages
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.files.library import Library
 from sdfcheck.source.sniff import Kind
@@ -46,3 +49,21 @@ def test_a_package_of_ros(tmp_path: Path) -> None:
     )
     question = asked(robot, Kind.URDF)
     assert dict(question.packages) == {"arm": str(tmp_path)}
+
+
+def test_a_file_of_any_line_ends_is_read_in_its_place(tmp_path: Path) -> None:
+    robot = tmp_path / "arm.urdf"
+    robot.write_bytes(b'<robot name="r">\r\n<link name="l"/>\r\n</robot>\r\n')
+    question = asked(robot, Kind.URDF)
+    assert (question.path, question.is_copy) == (robot, False)
+
+
+def test_pybullet_finds_the_packages_of_a_copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    robot = tmp_path / "arm.urdf"
+    robot.write_text('<mesh filename="package://arm/m.stl"/>')
+    question = {"path": str(robot), "packages": [("arm", "/robots/arm")]}
+    assert with_packages(question) == str(robot)
+    copy = with_packages({**question, "is_copy": True})
+    assert Path(copy).read_text() == '<mesh filename="/robots/arm/m.stl"/>'
+    assert robot.read_text() == '<mesh filename="package://arm/m.stl"/>'
