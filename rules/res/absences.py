@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from sdfcheck import Consumer, Reaction, Resource, accepts
 from sdfcheck_rules.res.places import expected
@@ -34,19 +34,26 @@ class Absences:
             self.folders.setdefault(folder, []).append(resource)
 
 
-def reactions(resource: Resource, missing: Reaction) -> dict[Consumer, Reaction]:
+def reactions(uses: Sequence[Resource], missing: Reaction) -> dict[Consumer, Reaction]:
+    """What consumers do where the file that some elements name is missing: the one that goes farthest counts."""
+    looking = {consumer for use in uses for consumer in looking_for(use)}
+    unread = accepts("does not look for it")
+    every = (Consumer.DRAKE, Consumer.PYBULLET, Consumer.MUJOCO)
+    return {consumer: missing if consumer in looking else unread for consumer in every}
+
+
+def looking_for(resource: Resource) -> set[Consumer]:
     """Drake and PyBullet look for the meshes of links, MuJoCo for those of collisions that are paths.
 
     Drake looks for the textures of URDF, too.
     """
     roles = {each.name for each in resource.element.around}
     is_mesh = (resource.element.name == "mesh" or "mesh" in roles) and "gazebo" not in roles
-    opened = is_mesh and "collision" in roles and ":/" not in resource.uri
-    unread = accepts("does not look for it")
-    of_link = missing if is_mesh and roles & {"visual", "collision"} else unread
-    is_picture = resource.element.name == "texture" and resource.root.is_urdf
-    return {
-        Consumer.DRAKE: missing if is_picture else of_link,
-        Consumer.PYBULLET: of_link,
-        Consumer.MUJOCO: missing if opened else unread,
-    }
+    found: set[Consumer] = set()
+    if is_mesh and roles & {"visual", "collision"}:
+        found |= {Consumer.DRAKE, Consumer.PYBULLET}
+    if is_mesh and "collision" in roles and ":/" not in resource.uri:
+        found.add(Consumer.MUJOCO)
+    if resource.element.name == "texture" and resource.root.is_urdf:
+        found.add(Consumer.DRAKE)
+    return found

@@ -79,7 +79,7 @@ class AbsolutePath(Rule):
                 )
             return
         if named.uri_value is not None:
-            affects = reactions(named, UNFOUND) if isinstance(named, Resource) else None
+            affects = reactions([named], UNFOUND) if isinstance(named, Resource) else None
             message = f"absolute path `{named.uri}` holds on one computer only"
             yield self.diagnostic(named.uri_value, message, affects=affects)
 

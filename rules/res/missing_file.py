@@ -130,7 +130,7 @@ class MissingFile(Rule):
             fix=renamed(uses, near),
             severity=Severity.ERROR if has_siblings else Severity.WARNING,
             help=looked_for(resource),
-            affects=reactions(resource, REFUSES if has_siblings else UNFOUND),
+            affects=reactions(uses, REFUSES if has_siblings else UNFOUND),
         )
 
     def together(self, uses: list[Resource], message: str, advice: str = "") -> Diagnostic:
@@ -140,7 +140,7 @@ class MissingFile(Rule):
             message + times,
             severity=Severity.WARNING,
             help=looked_for(uses[0]) + advice,
-            affects=reactions(uses[0], UNFOUND),
+            affects=reactions(uses, UNFOUND),
         )
 
 
