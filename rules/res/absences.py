@@ -35,7 +35,7 @@ class Absences:
 
 
 def reactions(uses: Sequence[Resource], missing: Reaction) -> dict[Consumer, Reaction]:
-    """What consumers do where the file that some elements name is missing: the one that goes farthest counts."""
+    """The reactions where a file that some elements name is missing: the one that goes farthest counts."""
     looking = {consumer for use in uses for consumer in looking_for(use)}
     unread = accepts("does not look for it")
     every = (Consumer.DRAKE, Consumer.PYBULLET, Consumer.MUJOCO)
