@@ -22,6 +22,7 @@ from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
+from sdfcheck.report.paths import Paths
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
@@ -90,7 +91,7 @@ def _json(file: Path, rows: Sequence[Row], real: Mapping[Consumer, Answer]) -> s
     records = [
         record(row) | (_record_of(row, real[row.consumer]) if row.consumer in real else {}) for row in rows
     ]
-    return json.dumps({"version": VERSION, "file": file.as_posix(), "consumers": records}, indent=2) + "\n"
+    return json.dumps({"version": VERSION, "file": Paths()(file), "consumers": records}, indent=2) + "\n"
 
 
 def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -> tuple[Row, ...]:
@@ -255,20 +256,21 @@ def _place(reason: Reason, file: Path) -> str:
     span = reason.diagnostic.span
     line, column = span.begin
     path = span.source.path
-    return f"{line}:{column}" if path == file else f"{path.as_posix()}:{line}:{column}"
+    return f"{line}:{column}" if path == file else f"{Paths()(path)}:{line}:{column}"
 
 
 def record(row: Row) -> dict[str, object]:
     """What JSON holds: all reasons."""
+    paths = Paths()
     return {
         "consumer": row.consumer.value,
         "verdict": row.verdict.value,
         "note": row.note or None,
-        "reasons": [_reason(reason) for reason in row.reasons],
+        "reasons": [_reason(reason, paths) for reason in row.reasons],
     }
 
 
-def _reason(reason: Reason) -> dict[str, object]:
+def _reason(reason: Reason, paths: Paths) -> dict[str, object]:
     diagnostic = reason.diagnostic
     line, column = diagnostic.span.begin
     return {
@@ -278,7 +280,7 @@ def _reason(reason: Reason) -> dict[str, object]:
         "severity": diagnostic.severity.value,
         "message": diagnostic.message,
         "effect": reason.reaction.words,
-        "file": diagnostic.span.source.path.as_posix(),
+        "file": paths(diagnostic.span.source.path),
         "line": line,
         "column": column,
     }
