@@ -59,6 +59,11 @@ class MissingFile(Rule):
             says="did you mean `arm.dae`?",
         ),
         Bad(
+            MESH.format("«model://robot/meshes/link_1.dae»"),
+            files={"robot/meshes/link_2.dae": ""},
+            says="link_1.dae` does not exist",
+        ),
+        Bad(
             MESH.format("«meshes/arm.dae»") + "<material><pbr><metal><albedo_map>meshes/arm.png</albedo_map>"
             "</metal></pbr></material>",
             files={},

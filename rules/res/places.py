@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 from sdfcheck import Document, Include, Resource, suggest
@@ -50,7 +51,13 @@ def near_file(resource: Resource) -> tuple[str | None, bool]:
         return None, False
     folder, own = os.path.split(path)
     beside = names_in(folder or os.curdir, (os.path.splitext(own)[1],))
-    return suggest(own, beside), bool(beside)
+    alike = [name for name in beside if numbers(name) == numbers(own)]
+    return suggest(own, alike), bool(beside)
+
+
+def numbers(name: str) -> list[str]:
+    """The numbers in a name: the mesh of the first link was not meant to be that of the second."""
+    return [digits.lstrip("0") for digits in re.findall(r"[0-9]+", name)]
 
 
 def descriptions(folder: Path) -> list[str]:

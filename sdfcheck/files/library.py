@@ -66,6 +66,7 @@ class Disk:
                 folder = above
         for folder, name in reversed(below):
             plain = os.path.join(found, name)
+            plain = folder if plain == folder else plain  # one text serves as both
             found = self._real[folder] = os.path.realpath(plain) if os.path.islink(plain) else plain
         return found
 

@@ -120,7 +120,7 @@ class Packages:
         self.paths = tuple(Path(os.path.abspath(folder)) for folder in paths)
         self.environment = dict(os.environ if environment is None else environment)
         self._below: dict[Path, dict[str, Path]] = {}
-        self._folders: dict[Path, tuple[Path, ...]] = {}
+        self._folders: dict[Path, tuple[str, ...]] = {}
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
         self._own_prefixes: list[Path] | None = None
@@ -198,15 +198,15 @@ class Packages:
         roots = tuple(os.path.realpath(folder) for folder in self.own)
         for folder in self._folders_below(self.root):
             for name in names_in(folder):
-                path = folder / name
                 if not name.endswith(suffix):
                     continue
+                path = os.path.join(folder, name)
                 if os.path.islink(path) and not is_below(os.path.realpath(path), roots):
                     continue
                 count += 1
                 if count > limit:
                     return
-                yield path
+                yield Path(path)
 
     def _files_beside(self) -> Iterator[Path]:
         for name in names_in(self.root)[:FOLDER_LIMIT]:
@@ -224,9 +224,9 @@ class Packages:
             if os.path.isdir(share := prefix / "share" / name):
                 yield share
         for folder in (*self.paths, self.root):
-            same = [place for place in self._folders_below(folder) if place.name == name]
+            same = [place for place in self._folders_below(folder) if os.path.basename(place) == name]
             if len(same) == 1:
-                yield same[0]
+                yield Path(same[0])
 
     def _package_files(self, root: Path) -> dict[str, Path]:
         """Package name → folder, of every ``package.xml`` below a folder."""
@@ -234,16 +234,16 @@ class Packages:
         if known is None:
             known = {}
             for folder in self._folders_below(root):
-                name = _package_name(folder / "package.xml")
+                name = _package_name(os.path.join(folder, "package.xml"))
                 if name:
-                    known.setdefault(name, folder)
+                    known.setdefault(name, Path(folder))
             self._below[root] = known
         return known
 
-    def _folders_below(self, root: Path) -> tuple[Path, ...]:
+    def _folders_below(self, root: Path) -> tuple[str, ...]:
         if root not in self._folders:
             is_alone = self.is_flat and root == self.root and root not in self.paths
-            self._folders[root] = (root,) if is_alone else tuple(_folders(root))
+            self._folders[root] = (os.fspath(root),) if is_alone else tuple(_folders(root))
         return self._folders[root]
 
     def _of_environment(self, variable: str) -> list[Path]:
@@ -277,7 +277,7 @@ class Packages:
         return self._installed[folder]
 
 
-def _folders(root: Path) -> Iterator[Path]:
+def _folders(root: Path) -> Iterator[str]:
     """The folder and those below it, without hidden ones and what build tools write."""
     # By hand: before Python 3.12 `os.walk` calls itself, and folders may be deep.
     waiting, count = [os.fspath(root)], 0
@@ -295,19 +295,19 @@ def _folders(root: Path) -> Iterator[Path]:
             (os.path.join(folder, name) for name in below if name[0] != "." and name not in _FOREIGN),
             reverse=True,
         )
-        yield Path(folder)
+        yield folder
 
 
 def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
     """The folder and the name of the package that a file is in, by the nearest ``package.xml`` above it."""
     for folder in _folders_around(os.path.abspath(path)):
-        if name := _package_name(Path(folder, "package.xml")):
+        if name := _package_name(os.path.join(folder, "package.xml")):
             return folder, name
     return None
 
 
-def _package_name(path: Path) -> str:
-    match = _NAME.search(_COMMENT.sub("", _read(path))) if os.path.isfile(path) else None
+def _package_name(path: str) -> str:
+    match = _NAME.search(_COMMENT.sub("", _read(Path(path)))) if os.path.isfile(path) else None
     return match[1] if match else ""
 
 

@@ -142,8 +142,8 @@ def test_folders_that_cannot_be_listed_hold_nothing(tmp_path: Path, monkeypatch:
     (tmp_path / "a.xacro").touch()
     listing = os.listdir
 
-    def closed(folder: Path) -> list[str]:
-        if folder.name == "closed":
+    def closed(folder: str) -> list[str]:
+        if os.path.basename(folder) == "closed":
             raise OSError(22, "Invalid argument")
         return listing(folder)
 
