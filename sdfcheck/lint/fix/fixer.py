@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, insort
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from itertools import takewhile
+from itertools import groupby, takewhile
 from pathlib import Path
 
 from sdfcheck.consumers.reaction import ON_REQUEST, Consumer
@@ -24,8 +24,10 @@ from sdfcheck.source.splice import Unwritable, replaced, splice
 
 ROUNDS = 10
 """So many times a file is linted again without fewer fixes to apply before it counts as endless."""
-TRIALS = 64
+TRIALS = 48
 """So many times a file is linted at most to find out which of its fixes do harm."""
+AGAIN = 8
+"""So many kinds of fixes are tried again after others were made."""
 
 _GUESSED = frozenset((Kind.MISSPELT_ROOT, Kind.BROKEN_XML))
 """The kinds that a fix may turn into another one."""
@@ -154,8 +156,10 @@ class _Trials:
         self._left = TRIALS
         self._refused: set[tuple[str, ...]] = set()
         self._reasons: dict[tuple[str, ...], str] = {}
-        self._is_changed = False
+        self._may_try_again = False
         """Whether fixes were applied since some were refused: these may do no harm any more."""
+        self._has_tried_again = False
+        """Whether they were: once, those of the same words together."""
 
     @property
     def refusal(self) -> str:
@@ -169,10 +173,10 @@ class _Trials:
             fixes = applicable(each, path, unsafe=unsafe)
             if left := [fix for fix in fixes if _words(fix) not in self._refused]:
                 return left
-        if not self._is_changed or self.are_over:
+        if not self._may_try_again or self._has_tried_again or self.are_over:
             return []
         self._refused.clear()
-        self._is_changed = False
+        self._has_tried_again = True
         return self.next(found, path, unsafe=unsafe)
 
     @property
@@ -183,19 +187,24 @@ class _Trials:
         """The text after those fixes that do no harm, together, and these; they are apart from each other."""
         now, kept = before, list[Fix]()
         groups = [list(fixes)]
+        if self._has_tried_again:
+            groups = [list(alike) for _, alike in groupby(sorted(fixes, key=_words), _words)]
+            for group in groups[:-AGAIN]:
+                self._refused.add(_words(group[0]))
+            groups = groups[-AGAIN:]
         while groups:
             group = groups.pop()
             try:
                 now, kept = self._after(before, [*kept, *group]), [*kept, *group]
             except Refused as refusal:
-                half = len(group) // 2
+                half = 0 if self._has_tried_again else len(group) // 2
                 if half and not self.are_over:
                     groups += [group[half:], group[:half]]
                 else:
                     for words in map(_words, group):
                         self._refused.add(words)
                         self._reasons.setdefault(words, str(refusal))
-        self._is_changed = bool(self._refused) and (self._is_changed or bool(kept))
+        self._may_try_again = bool(self._refused) and (self._may_try_again or bool(kept))
         return now, kept
 
     def _after(self, before: _Linted, fixes: Sequence[Fix]) -> _Linted:
