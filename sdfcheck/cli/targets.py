@@ -31,7 +31,7 @@ from sdfcheck.xacro.static.definitions import is_robot
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
 
-_PART = "it is a part that other xacro files include, not a robot"
+_PART = "it is a part for other xacro files: a robot has a name, and more than macros"
 _FOREIGN = frozenset((Kind.SRDF, Kind.MJCF, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION))
 """Files that are something else, and not just wrong."""
 VERSION = 1
@@ -118,9 +118,11 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     kind = sniff(data, file)
     if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
-    if kind is Kind.XACRO and not is_robot(read(data, file, kind)):
-        return tuple(Row(consumer, Verdict.UNREAD, (), _PART) for consumer in sorted(consumers, key=str))
-    return matrix(done, kind, file, consumers)
+    rows = matrix(done, kind, file, consumers)
+    document = read(data, file, kind) if kind is Kind.XACRO else None
+    if document is None or document.root is None or is_robot(document):
+        return rows
+    return tuple(Row(row.consumer, Verdict.UNREAD, (), _PART) for row in rows)
 
 
 def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float) -> dict[Consumer, Answer]:
