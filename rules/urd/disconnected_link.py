@@ -1,9 +1,8 @@
-import re
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, REFUSES, Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, accepts
 
-END = r"<(?:parent|child)\s+link\s*=\s*.{}[\"']"
+END = r"<(?:parent|child)\s+link\s*=\s*[\"']([^\"']*)[\"']"
 """A joint of the link in a branch of xacro that the arguments do not take."""
 
 
@@ -70,7 +69,7 @@ class DisconnectedLink(Rule):
             if len(group) == 1:
                 link = group[0]
                 message = f"no joint ties {link.title} to the rest of the robot"
-                may_be = robot.document.may_write(END.format(re.escape(link.name)))
+                may_be = link.name in robot.document.may_name(END)
                 if may_be:
                     message += ", unless an argument brings one"
                 known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}

@@ -3019,6 +3019,9 @@ def text_of_setting(element: Element) -> str:
     return " ".join((element.content or element.attributes.get("value", "")).split())
 
 
+_NAMED_PART = r"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
+
+
 class GazeboBlock(Part):
     """A ``<gazebo>`` block about a link, a joint, or (without ``reference``) the robot.
 
@@ -3068,9 +3071,7 @@ class GazeboBlock(Part):
             return False
         if is_expression(name) or name in self.model.link_names.unknown:
             return False
-        return not self.document.may_write(
-            rf'<(?:link|joint)\s[^<>]*\bname\s*=\s*["\']{re.escape(name)}["\']'
-        )
+        return name not in self.document.may_name(_NAMED_PART)
 
     @property
     def link(self) -> Link | None:

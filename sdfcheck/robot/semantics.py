@@ -39,7 +39,7 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
-_NAMED = r"<{}\s[^<>]*name\s*=\s*.(?:\$\{{[^{{}}]*\}})?{}[\"']"
+_NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"'](?:\$\{{[^{{}}]*\}})?([^\"']*)[\"']"
 """A link or joint in a branch of xacro that the arguments do not take."""
 
 
@@ -231,15 +231,12 @@ class Semantics:
     @property
     def unknown(self) -> Iterator[NamedPart]:
         """The names that no robot has which the file may be about."""
-        known: dict[str, bool] = {}
         for part in self.named if self.robots else ():
             name = part.value.text.strip()
             if self.is_added(part) or any(name in names(robot, part.kind) for robot in self.robots):
                 continue
-            written = _NAMED.format(part.kind, re.escape(name))
-            if written not in known:
-                known[written] = any(robot.document.may_write(written) for robot in self.robots)
-            if not known[written]:
+            pattern = _NAMED.format(part.kind)
+            if not any(name in robot.document.may_name(pattern) for robot in self.robots):
                 yield part
 
     def is_added(self, part: NamedPart) -> bool:

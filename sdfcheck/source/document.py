@@ -731,6 +731,10 @@ class Document:
         """Whether the texts that it was made from have a place that fits, which may become a part of it."""
         return False
 
+    def may_name(self, pattern: str) -> Set[str]:
+        """The names, by the group of the pattern, in the texts that it was made from: parts of it may be called so."""
+        return frozenset()
+
     def origins(self, element: Element) -> tuple[Step, ...]:
         """The macro calls and includes that led to an element, the nearest first."""
         return ()

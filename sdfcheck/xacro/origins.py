@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from pathlib import Path
 
 from sdfcheck.files.regular import Bounds, read_regular
@@ -245,10 +245,11 @@ class OriginSpans(Spans):
 class ExpandedDocument(Document):
     """The expansion of a xacro file; its places are in the files that were expanded."""
 
-    __slots__ = ()
+    __slots__ = ("_names",)
 
     def __init__(self, source: Source, provenance: Provenance) -> None:
         self.provenance = provenance
+        self._names: dict[str, frozenset[str]] = {}
         super().__init__(source, None, [])
 
     @property
@@ -266,8 +267,18 @@ class ExpandedDocument(Document):
         return self.spans.origins(element)
 
     def may_write(self, pattern: str) -> bool:
-        texts = (_COMMENT.sub("", source.text) for source in self.provenance.files)
-        return any(re.search(pattern, text) for text in texts)
+        return any(re.search(pattern, text) for text in self._texts)
+
+    def may_name(self, pattern: str) -> Set[str]:
+        if pattern not in self._names:
+            self._names[pattern] = frozenset(
+                name for text in self._texts for name in re.findall(pattern, text)
+            )
+        return self._names[pattern]
+
+    @property
+    def _texts(self) -> Iterator[str]:
+        return (_COMMENT.sub("", source.text) for source in self.provenance.files)
 
     @property
     def top(self) -> Source:
