@@ -74,7 +74,7 @@ def convert(source: Path, folder: Path, version: str, *options: str) -> tuple[Pa
 @pytest.fixture(scope="module")
 def converted(tmp_path_factory: pytest.TempPathFactory, stride: Callable[[int], int]) -> list[Converted]:
     made = []
-    for number, source in enumerate(sources()[:: stride(4)]):
+    for number, source in enumerate(sources()[:: stride(8)]):
         folder = tmp_path_factory.mktemp(f"robot{number}_")
         done = {version: convert(source, folder, version) for version in VERSIONS}
         done["merged"] = convert(source, folder, "1.9", "--fixed-joints", "merge")
@@ -100,7 +100,7 @@ def test_only_values_that_urdfdom_reads_convert(
                 f"{one.source}: urdfdom ends with {child.returncode}, {sorted(one.results)} are written"
             )
     assert not wrong, "\n".join(wrong)
-    assert read_by_it >= LEAST // stride(4)
+    assert read_by_it >= LEAST // stride(8)
 
 
 def test_libsdformat_accepts_the_results(converted: list[Converted], stride: Callable[[int], int]) -> None:
@@ -118,7 +118,7 @@ def test_libsdformat_accepts_the_results(converted: list[Converted], stride: Cal
             if not opinion.accepted and not excused:
                 wrong.append(f"{one.source} as {name}: {opinion.messages[:3]}")
     assert not wrong, "\n".join(wrong)
-    assert accepted >= (3 * LEAST - 15) // stride(4)
+    assert accepted >= (3 * LEAST - 15) // stride(8)
 
 
 # Drake
@@ -143,7 +143,7 @@ def test_drake_weighs_each_link_the_same(converted: list[Converted], stride: Cal
         compared += 1
         wrong += [f"{source}: {text}" for text in unequal(source, before[source], after[result])]
     assert not wrong, "\n".join(wrong)
-    assert compared >= (LEAST - 5) // stride(4)
+    assert compared >= (LEAST - 5) // stride(8)
 
 
 SMALL = [1e-3]
@@ -210,7 +210,7 @@ def test_merging_is_libsdformats_reduction(converted: list[Converted], stride: C
             wrong.append(f"{one.source}: {differences[:4]}")
         equal += not differences
     assert not wrong, "\n".join(wrong)
-    assert equal >= LEAST_MERGED // stride(4)
+    assert equal >= LEAST_MERGED // stride(8)
 
 
 def excuse(one: Converted) -> str:

@@ -98,7 +98,7 @@ def test_urdfdom_accepts_them(tmp_path: Path) -> None:
 
 def test_yourdfpy_places_their_links_alike(stride: Callable[[int], int]) -> None:
     pytest.importorskip("yourdfpy")
-    for document, done in conversions()[:: stride(8)]:  # a process for each takes its time
+    for document, done in conversions()[:: stride(16)]:  # a process for each takes its time
         if re.search("<drake:(capsule|ellipsoid)", done.text):
             continue  # shapes of URDF that it refuses
         assert not differences(done, document, [Judge.YOURDFPY]), document.path
