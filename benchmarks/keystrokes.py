@@ -7,103 +7,78 @@ it causes, outline, hover and completion after it, by the clock and in processor
 from __future__ import annotations
 
 import argparse
-import json
-import os
 import re
 import statistics
-import subprocess
-import sys
 import time
+from contextlib import suppress
 from itertools import count, cycle
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
 from typing import Any
 
+from tests.fuzz.language_server import Ended, LanguageServer
+
 QUIET = 1.0
 """Seconds without a message after which the server has said all about a keystroke."""
+_CAPABILITIES: dict[str, object] = {
+    "textDocument": {"publishDiagnostics": {}, "documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}
+}
 _VALUE = re.compile(r"(?<=>)\d+\.\d+(?=[ <])|(?<=\")\d+\.\d+(?=[ \"])")
 
 
 class Server:
-    """A server that was started for this, and the messages that it sends."""
+    """A server that was started for this, and the messages that it sends, each with the time when it came."""
 
     def __init__(self, folder: Path) -> None:
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "sdfcheck", "server"], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-        )
-        self.inbox: Queue[dict[str, Any]] = Queue()
+        self._server = LanguageServer(folder, _CAPABILITIES)
+        self._inbox: Queue[tuple[float, dict[str, Any]]] = Queue()
         self._asked = 0
-        Thread(target=self._listen, daemon=True).start()
-        able = {
-            "textDocument": {
-                "publishDiagnostics": {},
-                "documentSymbol": {"hierarchicalDocumentSymbolSupport": True},
-            }
-        }
-        self.ask("initialize", processId=None, rootUri=folder.as_uri(), capabilities=able)
-        self.notify("initialized")
+        self._listener = Thread(target=self._listen, daemon=True)
+        self._listener.start()
 
     def notify(self, method: str, **params: object) -> None:
-        self._send({"method": method, "params": params})
+        self._server.notify(method, params)
 
     def ask(self, method: str, **params: object) -> tuple[float, float]:
         """Ask and wait for the answer; the time by the clock and in the processor, in seconds."""
         self._asked += 1
-        begin, computed = time.perf_counter(), self.computed
-        self._send({"id": self._asked, "method": method, "params": params})
-        while (message := self.inbox.get()).get("id") != self._asked or "method" in message:
-            pass
+        begin, computed = time.perf_counter(), self._server.computed
+        self._server.send({"id": self._asked, "method": method, "params": params})
+        while True:
+            received, message = self._inbox.get()
+            if message.get("id") == self._asked and "method" not in message:
+                break
         if "error" in message:
             raise RuntimeError(f"{method}: {message['error']}")
-        return message["received"] - begin, self.computed - computed
+        return received - begin, self._server.computed - computed
 
     def until_quiet(self) -> float:
         """Wait until nothing more comes; the time of the last diagnostics."""
         last = 0.0
         while True:
             try:
-                message = self.inbox.get(timeout=QUIET)
+                received, message = self._inbox.get(timeout=QUIET)
             except Empty:
                 return last
             if message.get("method") == "textDocument/publishDiagnostics":
-                last = message["received"]
-
-    @property
-    def computed(self) -> float:
-        """The processor time of the server so far, in seconds."""
-        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
-        return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+                last = received
 
     @property
     def memory(self) -> int:
         """The resident memory of the server, in bytes."""
-        pages = int(Path(f"/proc/{self.process.pid}/statm").read_text().split()[1])
-        return pages * os.sysconf("SC_PAGE_SIZE")
+        return self._server.memory
 
     def close(self) -> None:
-        self.process.kill()
-        self.process.wait()
-
-    def _send(self, message: dict[str, object]) -> None:
-        data = json.dumps({"jsonrpc": "2.0", **message}).encode()
-        assert self.process.stdin is not None
-        self.process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(data), data))
-        self.process.stdin.flush()
+        self._server.process.kill()
+        self._listener.join()
+        self._server.close()
 
     def _listen(self) -> None:
-        stream = self.process.stdout
-        assert stream is not None
-        while head := stream.readline():
-            length = int(head.partition(b":")[2])
-            while stream.readline().strip():
-                pass
-            data = stream.read(length)
-            received = time.perf_counter()
-            message = {**json.loads(data), "received": received}
-            if "id" in message and "method" in message:
-                self._send({"id": message["id"], "result": None})
-            self.inbox.put(message)
+        with suppress(Ended):
+            while True:
+                message = self._server.next_message()
+                self._inbox.put((self._server.received, message))
 
 
 class Typist:

@@ -43,19 +43,21 @@ class Ended(Exception):
 class LanguageServer:
     """A child process, and what it says."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, capabilities: dict[str, object] = _CAPABILITIES) -> None:
         command = [sys.executable, "-m", "sdfcheck", "server"]
         self.process = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
         )
         self._number = 0
+        self.received = 0.0
+        """When the last message was there, before it was decoded; of ``time.perf_counter``."""
         self.end = ""
         """Why the process was ended from outside."""
         self._complaints: list[str] = []
         self._asked: tuple[float, float] | None = None
         threading.Thread(target=self._watch, daemon=True).start()
         self.request(
-            "initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": _CAPABILITIES}
+            "initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": capabilities}
         )
         self.notify("initialized", {})
 
@@ -78,6 +80,12 @@ class LanguageServer:
     def computed(self) -> float:
         """The processor time of the process so far, in s."""
         return self._times()[0]
+
+    @property
+    def memory(self) -> int:
+        """The resident memory of the process, in bytes; Linux says it."""
+        pages = int(Path(f"/proc/{self.process.pid}/statm").read_text().split()[1])
+        return pages * os.sysconf("SC_PAGE_SIZE")
 
     def _times(self) -> tuple[float, float]:
         """The processor time of the process, where the system says it, and the clock, in s."""
@@ -107,7 +115,9 @@ class LanguageServer:
                 length = int(line.partition(b":")[2])
             elif not line:
                 raise Ended
-        message: dict[str, Any] = json.loads(self.process.stdout.read(length))
+        data = self.process.stdout.read(length)
+        self.received = time.perf_counter()
+        message: dict[str, Any] = json.loads(data)
         return message
 
     def notify(self, method: str, params: object) -> None:
