@@ -34,7 +34,9 @@ SITE_TOOLS := $(VENV)/.installed-docs
 CONDITIONS := rules/conditions.py
 RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo man release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
+.PHONY: demo tools man release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
+
+tools: $(TOOLS) $(SITE_TOOLS)
 
 demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots

@@ -32,7 +32,8 @@ class Server:
 
     def __init__(self, folder: Path) -> None:
         self._server = LanguageServer(folder, _CAPABILITIES)
-        self._inbox: Queue[tuple[float, dict[str, Any]]] = Queue()
+        self._inbox: Queue[tuple[float, dict[str, Any]] | None] = Queue()
+        """None: the server has gone."""
         self._asked = 0
         self._listener = Thread(target=self._listen, daemon=True)
         self._listener.start()
@@ -46,7 +47,7 @@ class Server:
         begin, computed = time.perf_counter(), self._server.computed
         self._server.send({"id": self._asked, "method": method, "params": params})
         while True:
-            received, message = self._inbox.get()
+            received, message = self._next()
             if message.get("id") == self._asked and "method" not in message:
                 break
         if "error" in message:
@@ -58,7 +59,7 @@ class Server:
         last = 0.0
         while True:
             try:
-                received, message = self._inbox.get(timeout=QUIET)
+                received, message = self._next(QUIET)
             except Empty:
                 return last
             if message.get("method") == "textDocument/publishDiagnostics":
@@ -74,11 +75,18 @@ class Server:
         self._listener.join()
         self._server.close()
 
+    def _next(self, timeout: float | None = None) -> tuple[float, dict[str, Any]]:
+        item = self._inbox.get(timeout=timeout)
+        if item is None:
+            raise Ended
+        return item
+
     def _listen(self) -> None:
         with suppress(Ended):
             while True:
                 message = self._server.next_message()
                 self._inbox.put((self._server.received, message))
+        self._inbox.put(None)
 
 
 class Typist:

@@ -92,9 +92,8 @@ def write(file: Path, text: str, example: Bad | Good) -> Path:
 @pytest.mark.parametrize("consumer", CONSUMERS, ids=lambda consumer: consumer.value)
 def test_examples(consumer: Consumer, tmp_path: Path, stride: Callable[[int], int]) -> None:
     expected = {}
-    rules = RULES[
-        :: stride(8 if consumer is Consumer.GAZEBO else 4)
-    ]  # a process for each file takes its time
+    usual = 8 if consumer is Consumer.GAZEBO else 4  # its check is a process for each file
+    rules = RULES[:: stride(usual)]
     codes = examples(tmp_path, rules, most=1 if len(rules) < len(RULES) else None)
     for file in codes:
         (row,) = verdicts(file, (consumer,), SearchContext(Configuration(isolated=True)))
