@@ -1,4 +1,5 @@
 # make demo     install into .venv and lint the sample robots
+# make tools    install what the checks and the documentation need
 # make test     run the tests
 # make quick    run the tests of units and rules that are quick, for the loop of editing and testing
 # make check    everything that must hold before a commit
@@ -36,10 +37,10 @@ RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
 .PHONY: demo tools man release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
 
-tools: $(TOOLS) $(SITE_TOOLS)
-
 demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
+
+tools: $(TOOLS) $(SITE_TOOLS)
 
 test: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m pytest
