@@ -14,7 +14,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from sdfcheck.files.git import Ignores, Listing
 
-SUFFIXES = (".sdf", ".srdf", ".urdf", ".world", ".xacro")
+SUFFIXES = (".sdf", ".srdf", ".urdf", ".urdf.xml", ".world", ".xacro")
 MODEL_CONFIG = "model.config"
 
 # Folders that never hold the sources of a robot, in addition to all hidden ones.

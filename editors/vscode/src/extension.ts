@@ -108,7 +108,7 @@ function about(work: (running: LanguageClient, uri: vscode.Uri) => Promise<unkno
 }
 
 function isDescription(document: vscode.TextDocument): boolean {
-  return LANGUAGES.includes(document.languageId) || /\.(sdf|world|urdf|xacro|srdf)$/.test(document.uri.path);
+  return LANGUAGES.includes(document.languageId) || /\.(sdf|world|urdf|urdf\.xml|xacro|srdf)$/.test(document.uri.path);
 }
 
 /** Prints the joints and links of the file; what the program complains of is shown. */

@@ -1,5 +1,5 @@
 # Called by ament_lint_auto in each package that has robot descriptions.
-file(GLOB_RECURSE _descriptions FOLLOW_SYMLINKS "*.sdf" "*.world" "*.urdf" "*.xacro" "*.srdf" "model.config")
+file(GLOB_RECURSE _descriptions FOLLOW_SYMLINKS "*.sdf" "*.world" "*.urdf" "*.urdf.xml" "*.xacro" "*.srdf" "model.config")
 if(_descriptions)
   message(STATUS "Added test 'sdfcheck' to check robot descriptions")
   if(DEFINED AMENT_LINT_AUTO_FILE_EXCLUDE)

@@ -52,8 +52,9 @@ def test_suffixes_count_in_any_case(tree: Path) -> None:
         "f.xml",
         "g.sdf.erb",
         "h.config",
+        "i.urdf.xml",
     )
-    assert names(tree) == ["a.sdf", "b.URDF", "c.world", "d/e.urdf.xacro", "d/model.config"]
+    assert names(tree) == ["a.sdf", "b.URDF", "c.world", "d/e.urdf.xacro", "d/model.config", "i.urdf.xml"]
 
 
 def test_ignore_files_are_read_at_every_level(tree: Path) -> None:
