@@ -68,7 +68,7 @@ class ImpossibleInertia(Rule):
         return has_moments(inertial) and is_impossible(inertial) and not is_indefinite(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        low, middle, high = _distinct(inertial.principal)
+        low, middle, high = _distinct(inertial.tensor.computed_by_gazebo())
         message = f"no body has these principal moments: {high} > {low} + {middle}"
         largest = max("ixx", "iyy", "izz", key=inertial.moments.__getitem__)
         labels = {inertial.link: "the inertia of this link"}

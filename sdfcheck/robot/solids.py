@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -15,8 +16,12 @@ from sdfcheck.source.record import NamedTuple
 # to its own; lengths of cylinders, capsules and cones run along z.
 
 
-_ROUNDING = 2.3e-15
-"""So much of the largest moment may be lost by rounding."""
+_ROUNDING = 5 * sys.float_info.epsilon
+"""So much of the sum of the moments may be lost by rounding. Source: gz-math's MassMatrix3, as for the next."""
+_DIAGONAL = 1e-6
+"""Products that are smaller than this beside the largest moment are left out."""
+_SWEEPS = 6
+"""Jacobi's method squares what is left in each."""
 
 
 class Moments(NamedTuple):
@@ -36,19 +41,15 @@ class Moments(NamedTuple):
 
     @property
     def is_indefinite(self) -> bool:
-        """Is a principal moment negative, by more than rounding explains? Source: gz-math's MassMatrix3."""
-        return self.principal()[0] < -self._rounding
+        """Is a principal moment negative for libsdformat, by more than rounding explains?"""
+        moments = self.computed_by_gazebo()
+        return moments[0] < -_ROUNDING * abs(sum(moments))
 
     @property
     def is_impossible(self) -> bool:
-        """Is a principal moment larger than the sum of the other two? Source: the same."""
-        low, middle, high = self.principal()
-        return low + middle + self._rounding < high
-
-    @property
-    def _rounding(self) -> float:
-        """How far off the principal moments may be because the moments were rounded."""
-        return _ROUNDING * max(map(abs, self))
+        """Is a principal moment larger for libsdformat than the sum of the other two?"""
+        low, middle, high = self.computed_by_gazebo()
+        return low + middle + _ROUNDING * abs(low + middle + high) < high
 
     def plus(self, other: Moments) -> Moments:
         return Moments(*(a + b for a, b in zip(self, other, strict=True)))
@@ -63,27 +64,76 @@ class Moments(NamedTuple):
         )
 
     def principal(self) -> tuple[float, float, float]:
-        """The principal moments, the smallest first (closed form for symmetric 3×3 matrices); nan for infinite ones."""
-        if not all(map(math.isfinite, self)):
+        """The principal moments, the smallest first, to the last digits; nan for infinite ones."""
+        scaled = self._scaled()
+        if scaled is None:
             return math.nan, math.nan, math.nan
-        # Halved or doubled as often as it takes, which rounds nothing, squares neither overflow nor vanish.
-        _, halvings = math.frexp(max(abs(value) for value in self))
-        ixx, iyy, izz, ixy, ixz, iyz = (math.ldexp(value, -halvings) for value in self)
-        off = ixy * ixy + ixz * ixz + iyz * iyz
-        if off <= 1e-30:
-            low, middle, high = sorted(self[:3])
-            return low, middle, high
-        mean = (ixx + iyy + izz) / 3
-        spread = sum((value - mean) ** 2 for value in (ixx, iyy, izz)) + 2 * off
-        size = math.sqrt(spread / 6)
-        a, b, c = ((value - mean) / size for value in (ixx, iyy, izz))
-        d, e, f = (value / size for value in (ixy, ixz, iyz))
-        half = (a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e)) / 2
-        angle = math.acos(max(-1.0, min(1.0, half))) / 3
-        high = mean + 2 * size * math.cos(angle)
-        low = mean + 2 * size * math.cos(angle + 2 * math.pi / 3)
-        half_unit = math.ldexp(1, halvings - 1)
-        return low * half_unit * 2, (ixx + iyy + izz - low - high) * half_unit * 2, high * half_unit * 2
+        ixx, iyy, izz, ixy, ixz, iyz = scaled.moments
+        matrix = [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]
+        for _ in range(_SWEEPS if ixy or ixz or iyz else 0):
+            _turn(matrix, 0, 1)
+            _turn(matrix, 0, 2)
+            _turn(matrix, 1, 2)
+        return scaled.back(matrix[0][0], matrix[1][1], matrix[2][2])
+
+    def computed_by_gazebo(self) -> tuple[float, float, float]:
+        """The principal moments with the errors that libsdformat makes; nan for infinite ones.
+
+        It takes the roots of the characteristic polynomial, which are off by 1e-8 where two are nearly equal: of thin
+        rods and discs, which are at the edge of what is possible, it refuses some and takes others.
+        """
+        scaled = self._scaled()
+        if scaled is None:
+            return math.nan, math.nan, math.nan
+        ixx, iyy, izz, ixy, ixz, iyz = scaled.moments
+        little = _DIAGONAL * max(ixx, iyy, izz)
+        if max(abs(ixy), abs(ixz), abs(iyz)) <= little:
+            return scaled.back(ixx, iyy, izz)
+        trace = ixx + iyy + izz
+        minors = ixx * iyy - ixy**2 + ixx * izz - ixz**2 + iyy * izz - iyz**2
+        constant = ixx * iyz**2 + iyy * ixz**2 + izz * ixy**2 - ixx * iyy * izz - 2 * ixy * ixz * iyz
+        spread = trace**2 - 3 * minors
+        if spread < little**2:
+            return scaled.back(trace / 3, trace / 3, trace / 3)
+        cosine = 0.5 * (2 * trace**3 - 9 * trace * minors - 27 * constant) / spread**1.5
+        angle = math.acos(max(-1.0, min(1.0, cosine)))
+        radius = 2 * math.sqrt(spread)
+        turns = (angle / 3, (angle + 2 * math.pi) / 3, (angle - 2 * math.pi) / 3)
+        return scaled.back(*((trace + radius * math.cos(turn)) / 3 for turn in turns))
+
+    def _scaled(self) -> _Scaled | None:
+        """Near 1, where squares neither overflow nor vanish; None for infinite ones."""
+        if not all(map(math.isfinite, self)):
+            return None
+        _, halvings = math.frexp(max(map(abs, self)))
+        return _Scaled([math.ldexp(value, -halvings) for value in self], halvings)
+
+
+class _Scaled(NamedTuple):
+    """``ixx, iyy, izz, ixy, ixz, iyz`` that were halved or doubled so often, which rounds nothing."""
+
+    moments: list[float]
+    halvings: int
+
+    def back(self, *moments: float) -> tuple[float, float, float]:
+        """Moments as large as the first ones, the smallest first."""
+        half_unit = math.ldexp(1, self.halvings - 1)
+        low, middle, high = (moment * half_unit * 2 for moment in sorted(moments))
+        return low, middle, high
+
+
+def _turn(matrix: list[list[float]], a: int, b: int) -> None:
+    """Make the product of two axes 0 by a rotation (Jacobi's method)."""
+    product = matrix[a][b]
+    if product == 0:
+        return
+    angle = math.atan2(2 * product, matrix[b][b] - matrix[a][a]) / 2
+    cosine, sine = math.cos(angle), math.sin(angle)
+    for row in matrix:
+        row[a], row[b] = cosine * row[a] - sine * row[b], sine * row[a] + cosine * row[b]
+    first, second = matrix[a], matrix[b]
+    matrix[a] = [cosine * one - sine * other for one, other in zip(first, second, strict=True)]
+    matrix[b] = [sine * one + cosine * other for one, other in zip(first, second, strict=True)]
 
 
 class Solid(NamedTuple):

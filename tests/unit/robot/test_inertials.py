@@ -11,6 +11,7 @@ import sdfcheck
 from sdfcheck.lint.expanded import parts_in_macros
 from sdfcheck.robot.graph import Inertial
 from sdfcheck.robot.root import root_of
+from sdfcheck.robot.solids import Moments
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
@@ -58,6 +59,14 @@ def test_urdf_leaves_no_moment_out(given: str, legible: bool) -> None:
 def test_principal_moments() -> None:
     moments = "<inertia><ixx>2</ixx><iyy>2</iyy><izz>3</izz><ixy>1</ixy></inertia>"
     assert inertial(f"<inertial>{moments}</inertial>").principal == pytest.approx((1, 3, 3))
+
+
+def test_principal_moments_are_exact_where_two_are_alike() -> None:
+    # A thin rod along (1, 1, 0), whose least moment is 1e-12 of the others.
+    half = (1 - 1e-12) / 2
+    rod = Moments(1 - half, 1 - half, 1.0, -half, 0.0, 0.0)
+    assert rod.principal() == pytest.approx((1e-12, 1, 1), abs=1e-15)
+    assert not rod.is_indefinite
 
 
 @pytest.mark.parametrize(
