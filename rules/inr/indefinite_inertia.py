@@ -63,7 +63,7 @@ class IndefiniteInertia(Rule):
             message = f"{name} {moment.text} is {reason}: the inertia is not positive definite"
             yield self.diagnostic(moment, message, labels=labels, affects=affects)
             return
-        smallest = inertial.tensor.computed_by_gazebo()[0]
+        smallest = inertial.principal[0]
         message = f"the inertia is not positive definite: its smallest principal moment is {smallest:.6g}"
         yield self.diagnostic(inertial.moments_element, message, labels=labels, affects=affects)
 

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import dist, hypot
 
 from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
@@ -10,6 +10,11 @@ MOST = 3
 JOINT = (
     '<joint name="{0}_wheel_joint" type="continuous"><origin xyz="{1}"/><parent link="base"/>'
     '<child link="{0}_wheel"/><axis xyz="0 1 0"/></joint>'
+)
+ARM = JOINT + (
+    '<joint name="{0}_hand_joint" type="revolute"><origin xyz="{2}"/><parent link="{0}_wheel"/>'
+    '<child link="{0}_hand"/><axis xyz="1 0 0"/>'
+    '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
 )
 ROBOT = '<robot name="r"><link name="base"/><link name="left_wheel"/><link name="right_wheel"/>{}</robot>'
 
@@ -47,6 +52,11 @@ class AsymmetricJoint(Rule):
         Good(
             JOINT.format("left", "0.1 0.2 0") + JOINT.format("right", "-0.1 0.2 0"), why="the frame is turned"
         ),
+        Good(
+            ARM.format("left", "0.1 0.2 0", "0.3 0.02 0") + ARM.format("right", "0.1 -0.25 0", "0.3 0.03 0"),
+            scaffold=ROBOT.replace("{}", "{}<link name='left_hand'/><link name='right_hand'/>"),
+            why="the origin is elsewhere on the axis, and the next joint takes that back",
+        ),
         Good(JOINT.format("left", "0.1 0.2 0") + JOINT.format("third", "0 0 0"), why="no counterpart"),
     )
 
@@ -74,7 +84,11 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
     found = [
         (joint, mirror)
         for joint, mirror in pairs
-        if mirror.moves and joint.element.index > mirror.element.index and displacement(joint, mirror) > 0
+        if mirror.moves
+        and joint.element.index > mirror.element.index
+        and displacement(joint, mirror) > 0
+        and not is_mirrored(joint, mirror)
+        and not is_slid(joint, mirror)
     ]
     return found if len(found) <= MOST else []
 
@@ -86,6 +100,36 @@ def displacement(joint: Joint, mirror: Joint) -> float:
         return 0.0
     found = dist(own, other)
     return found if found > max(LEAST, SHARE * max(hypot(*own), hypot(*other))) else 0.0
+
+
+def is_mirrored(joint: Joint, mirror: Joint) -> bool:
+    """Are they mirror images in the robot, whatever their parents make of that?"""
+    return any(hypot(*offset) <= LEAST for offset in offsets(joint, mirror))
+
+
+def is_slid(joint: Joint, mirror: Joint) -> bool:
+    """Is it elsewhere on the axis of its counterpart's mirror image, and the next joint where it should be?"""
+    along, link = joint.direction, joint.child_link
+    if along is None or link is None:
+        return False
+    below = [each for each in link.model.joints if each.parent_link is link]
+    return any(hypot(*cross(offset, along)) <= LEAST for offset in offsets(joint, mirror)) and any(
+        each.mirror is not None and is_mirrored(each, each.mirror) for each in below
+    )
+
+
+def offsets(joint: Joint, mirror: Joint) -> Iterator[list[float]]:
+    """From the mirror image of its counterpart to it (m), in the planes that robots are symmetric to."""
+    own, other = joint.at_rest, mirror.at_rest
+    if own is None or other is None:
+        return
+    for across in (1, 0):
+        image = [-value if axis == across else value for axis, value in enumerate(other.position)]
+        yield [a - b for a, b in zip(own.position, image, strict=True)]
+
+
+def cross(a: Sequence[float], b: Sequence[float]) -> tuple[float, float, float]:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def place(joint: Joint) -> list[float]:

@@ -42,6 +42,12 @@ class ForeignSemantics(Rule):
     good = (
         Good(ONE.format("arm", "shoulder"), file=FILE, files=ROBOT),
         Good(ONE.format("leg", "knee"), why="another robot, which is not here", file=FILE, files=ROBOT),
+        Good(
+            ONE.format("leg", "shoulder"),
+            why="the robot has a file of its own",
+            file="leg.srdf",
+            files={**ROBOT, FILE: ONE.format("arm", "shoulder")},
+        ),
     )
 
     @staticmethod

@@ -32,7 +32,9 @@ if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
 
 _PART = "it is a part for other xacro files: a robot has a name, and more than macros"
-_FOREIGN = frozenset((Kind.SRDF, Kind.MJCF, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION))
+_FOREIGN = frozenset(
+    (Kind.SRDF, Kind.MJCF, Kind.WEBOTS, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION)
+)
 """Files that are something else, and not just wrong."""
 VERSION = 1
 """Of the JSON."""

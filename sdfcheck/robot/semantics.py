@@ -471,7 +471,15 @@ def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
                 return None
     robots = [_robot(path, head, semantics, None) for path, head in heads.items() if head.kind is Kind.URDF]
     fitting = [robot for robot in robots if robot is not None and _score(semantics, robot) == 1]
-    return fitting[0] if len(fitting) == 1 else None
+    if len(fitting) != 1 or _is_anothers(fitting[0].document.path, semantics.document.path):
+        return None
+    return fitting[0]
+
+
+def _is_anothers(robot: Path, semantics: Path) -> bool:
+    """Whether another SRDF file is called like a robot's file, beside it."""
+    beside = robot.with_name(f"{_stem(robot)}.srdf")
+    return beside != semantics and os.path.isfile(beside)
 
 
 def descriptions_of(semantics: Semantics) -> Iterator[Document]:

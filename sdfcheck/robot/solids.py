@@ -41,13 +41,12 @@ class Moments(NamedTuple):
 
     @property
     def is_indefinite(self) -> bool:
-        """Is a principal moment negative for libsdformat, by more than rounding explains?"""
-        moments = self.computed_by_gazebo()
-        return moments[0] < -_ROUNDING * abs(sum(moments))
+        """Is it impossible because a principal moment is negative?"""
+        return self.is_impossible and self.principal()[0] < -_ROUNDING * abs(self.trace)
 
     @property
     def is_impossible(self) -> bool:
-        """Is a principal moment larger for libsdformat than the sum of the other two?"""
+        """Is a principal moment larger for libsdformat than the sum of the other two? So it is if one is negative."""
         low, middle, high = self.computed_by_gazebo()
         return low + middle + _ROUNDING * abs(low + middle + high) < high
 

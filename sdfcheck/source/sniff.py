@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from pathlib import Path
 
@@ -28,6 +28,7 @@ class Kind(Enum):
     SDF_SPECIFICATION = "sdf-specification"
     SRDF = "srdf"
     MJCF = "mjcf"
+    WEBOTS = "webots"
     MISSPELT_ROOT = "misspelled-root"
     OTHER_XML = "other-xml"
     BROKEN_XML = "broken-xml"
@@ -52,6 +53,7 @@ _DESCRIPTIONS: Mapping[Kind, str] = {
     Kind.SDF_SPECIFICATION: "a part of the SDFormat specification itself",
     Kind.SRDF: "SRDF (MoveIt semantics)",
     Kind.MJCF: "MJCF (MuJoCo)",
+    Kind.WEBOTS: "a configuration of devices for Webots",
     Kind.MISSPELT_ROOT: "a robot description with a misspelled root element",
     Kind.OTHER_XML: "XML of another kind",
     Kind.BROKEN_XML: "broken XML",
@@ -87,6 +89,7 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
     Kind.SDF_SPECIFICATION: (Treatment.SKIP, Treatment.NOTICE),
     Kind.SRDF: (Treatment.LINT, Treatment.LINT),
     Kind.MJCF: (Treatment.SKIP, Treatment.NOTICE),
+    Kind.WEBOTS: (Treatment.SKIP, Treatment.NOTICE),
     Kind.MISSPELT_ROOT: (Treatment.LINT, Treatment.LINT),
     Kind.OTHER_XML: (Treatment.SKIP, Treatment.NOTICE),
     Kind.BROKEN_XML: (Treatment.LINT, Treatment.LINT),
@@ -125,6 +128,7 @@ _ROOTS = {
 }
 _ROBOT_TAGS = ("<sdf", "<robot", "<world", "<model")
 _SRDF_TAGS = frozenset({"disable_collisions", "group_state", "virtual_joint", "disable_default_collisions"})
+_BODY = frozenset({"link", "joint"})
 _TAG = pattern(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
@@ -205,11 +209,11 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
         return Kind.BROKEN_XML if broken else Kind.NOT_XML
     suffixes = [suffix.lower() for suffix in path.suffixes[-2:]]
     suffix = suffixes[-1] if suffixes else ""
-    if name == "robot" and (".srdf" in suffixes or _is_srdf(text)):
-        return Kind.SRDF
+    if name == "robot" and (beside := _beside_a_robot(text, suffixes)) is not None:
+        return beside
     if name not in _ROOTS and suffix in _SUFFIXES and _is_misspelt(name, suffix, text, start):
         return Kind.MISSPELT_ROOT
-    if ".xacro" in suffixes or _uses_xacro(text):
+    if ".xacro" in suffixes or _uses_xacro(text) or (name == "robot" and _is_xacro_part(text)):
         return Kind.XACRO
     if name in _ROOTS:
         return _ROOTS[name]
@@ -222,10 +226,22 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
     return Kind.SDF if forgotten_root or old_root else Kind.OTHER_XML
 
 
-def _is_srdf(text: str) -> bool:
-    """Whether a robot holds what SRDF says, and no link or joint; what xacro generates counts as its own."""
-    if not _holds(text, tuple(f"<{name}" for name in _SRDF_TAGS)):
-        return False
+def _beside_a_robot(text: str, suffixes: Sequence[str]) -> Kind | None:
+    """The kind of a file whose root is a robot too, and which says something about the robot of another file."""
+    if ".srdf" in suffixes:
+        return Kind.SRDF
+    if not _holds(text, ("<webots", *(f"<{name}" for name in _SRDF_TAGS))):
+        return None
+    parts = _parts(text)
+    if not _BODY.isdisjoint(parts):
+        return None
+    if not _SRDF_TAGS.isdisjoint(parts):
+        return Kind.SRDF
+    return Kind.WEBOTS if "webots" in parts else None
+
+
+def _parts(text: str) -> set[str]:
+    """The names of the root's children; what xacro generates counts as its own."""
     names = set()
     depth = 0
     for end, name, is_empty in _TAG.findall(_without_comments(text)):
@@ -234,7 +250,7 @@ def _is_srdf(text: str) -> bool:
         if depth == 1 and not end:
             names.add(name)
         depth += -1 if end else not is_empty
-    return names.isdisjoint({"link", "joint"}) and not names.isdisjoint(_SRDF_TAGS)
+    return names
 
 
 def _tag_name(text: str, start: int) -> str:
@@ -267,6 +283,11 @@ def _holds(text: str, words: tuple[str, ...]) -> bool:
         return False
     bare = _without_comments(text)
     return any(word in bare for word in found)
+
+
+def _is_xacro_part(text: str) -> bool:
+    """Whether a robot without a body has values for xacro: only another file can include that."""
+    return "xmlns:xacro" in text and "${" in text and _BODY.isdisjoint(_parts(text))
 
 
 def _uses_xacro(text: str) -> bool:

@@ -648,7 +648,9 @@ COMMANDS = {
     "sdf-to-urdf": LazyCommand("sdfcheck.cli.convert.directions:sdf_to_urdf", "SDFormat to URDF."),
     "sdf-to-sdf": LazyCommand("sdfcheck.cli.convert.directions:sdf_to_sdf", "Between versions of SDFormat."),
 }
-_OTHER_WORK = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.MJCF, Kind.MODEL_CONFIG})
+_OTHER_WORK = frozenset(
+    {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.MJCF, Kind.WEBOTS, Kind.MODEL_CONFIG}
+)
 """Files that are often beside those to convert."""
 
 
