@@ -145,9 +145,6 @@ def _count(diagnostics: Sequence[Diagnostic]) -> int:
 # The first screen of a large run: its findings by rule, in the order in which to take them on.
 
 
-# The first screen of a large run: its findings by rule, in the order in which to take them on.
-
-
 _ROWS = 20
 """So many rules are listed under a heading."""
 
@@ -234,20 +231,19 @@ def _section(section: Section, paths: Paths, paint: Paint) -> Iterator[str]:
 
 
 def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
-    """Counts by rule, the most frequent first, with the gravest severity and the kind of fix.
+    """Counts by rule and severity, the most frequent first, with the kind of fix, of what the view shows.
 
-    Of the view, the width and the links count.
+    What was not found on this computer is no rule's finding: it is counted in a line of its own.
     """
-    closing = fitted(closing_line(run), view.width) + "\n"
+    closing = fitted(closing_line(run, view), view.width) + "\n"
     if not run.diagnostics:
         return closing
 
-    by_code: dict[str, list[Diagnostic]] = {}
-    for diagnostic in run.diagnostics:
-        by_code.setdefault(diagnostic.code, []).append(diagnostic)
+    groups: dict[tuple[str, Severity], list[Diagnostic]] = {}
+    for diagnostic in view.shown(run):
+        groups.setdefault((diagnostic.code, diagnostic.severity), []).append(diagnostic)
     rows = []
-    for code, found in sorted(by_code.items(), key=lambda group: (-len(group[1]), group[0])):
-        severity = max((diagnostic.severity for diagnostic in found), key=lambda severity: severity.rank)
+    for (code, severity), found in sorted(groups.items(), key=_most_frequent):
         words = (str(len(found)), severity.value, code, found[0].name, _fix(found))
         row = [Cell(word) for word in words]
         row[1] = row[1]._replace(ink=INK_OF[severity])
@@ -260,7 +256,16 @@ def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
         Column("name", gives_way=True),
         Column("fix"),
     )
-    return "\n".join([*table(columns, rows, width=view.width, color=color), "", closing])
+    lines = [*table(columns, rows, width=view.width, color=color), ""] if rows else []
+    if missing := view.missing(run):
+        needed = counted(_count(missing), "time")
+        lines.append(fitted(f"Not found on this computer, and so not checked: needed {needed}.", view.width))
+    return "\n".join([*lines, closing])
+
+
+def _most_frequent(group: tuple[tuple[str, Severity], list[Diagnostic]]) -> tuple[int, str, int]:
+    (code, severity), found = group
+    return -len(found), code, -severity.rank
 
 
 def _fix(found: list[Diagnostic]) -> str:

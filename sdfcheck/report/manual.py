@@ -365,8 +365,8 @@ def _shortened(text: str) -> str:
 
 def _silencing(name: str) -> str:
     return (
-        f"- for one element: `<!-- sdfcheck: ignore[{name}] reason -->` before it\n"
-        f"- for a file: `<!-- sdfcheck: ignore-file[{name}] -->` in it\n"
+        f"- for one element: `<!-- sdfcheck:ignore[{name}] reason -->` before it\n"
+        f"- for a file: `<!-- sdfcheck:ignore-file[{name}] -->` in it\n"
         f'- for a folder: `"folder/*" = ["{name}"]` below `[per-file-ignores]` in `sdfcheck.toml`\n'
         f'- everywhere: `ignore = ["{name}"]` in `sdfcheck.toml`'
     )

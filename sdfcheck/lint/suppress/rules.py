@@ -46,7 +46,7 @@ class MalformedSuppression:
     code = "SUP002"
     name = "malformed-suppression"
     severity = Severity.WARNING
-    remedy = """Write it as `<!-- sdfcheck: ignore[name-of-the-rule] reason -->`, directly before the element.
+    remedy = """Write it as `<!-- sdfcheck:ignore[name-of-the-rule] reason -->`, directly before the element.
 
     The name of the rule is in the first line of the finding, and `sdfcheck rules` lists all of them. A reason
     after the bracket is optional, and helps the next person. A comment that is not meant for sdfcheck has to

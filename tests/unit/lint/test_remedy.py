@@ -70,7 +70,7 @@ def test_a_name_that_cannot_be_written_gets_the_help(span: Span) -> None:
 def test_rules_of_the_engine_do_so_too(span: Span) -> None:
     found = report(MalformedSuppression, span, "wrong")
     assert found.help == (
-        "write it as `<!-- sdfcheck: ignore[name-of-the-rule] reason -->`, directly before the element"
+        "write it as `<!-- sdfcheck:ignore[name-of-the-rule] reason -->`, directly before the element"
     )
     assert report(MalformedSuppression, span, "wrong", help="so").help == "so"
     assert report(MalformedSuppression, span, "wrong", fix=replace(span, "b", "write `b`")).help is None

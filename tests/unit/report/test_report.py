@@ -14,7 +14,7 @@ from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
 from sdfcheck.report import digest as statistics
 from sdfcheck.report.paths import Paths
-from sdfcheck.report.summary import closing_line
+from sdfcheck.report.summary import View, closing_line
 from tests.unit.report.runs import diagnostic, facts, fixed, marked, run
 
 ERROR = diagnostic("«a»")
@@ -155,6 +155,12 @@ def repeated(found: Diagnostic, times: int) -> tuple[Diagnostic, ...]:
     return (found,) * times
 
 
+def test_statistics_are_of_what_is_shown() -> None:
+    shown = statistics.render(run(ERROR, *repeated(INFO, 2)), view=View(Severity.WARNING))
+    assert shown.startswith("1  error")
+    assert "STY903" not in shown
+
+
 def test_statistics() -> None:
     sample = run(
         *repeated(INFO, 2),
@@ -165,8 +171,9 @@ def test_statistics() -> None:
     )
     assert statistics.render(sample) == (
         "12  warning  SCH902   odd-thing\n"
-        " 2  error    NAM901   taken-name  safe fix\n"
         " 2  info     STY903   dull-thing\n"
+        " 1  error    NAM901   taken-name  safe fix\n"
+        " 1  warning  NAM901   taken-name\n"
         " 1  error    SCH0004  other       unsafe fix\n"
         "\n"
         "Found 2 errors, 13 warnings and 2 infos in 1 file "
