@@ -233,7 +233,7 @@ def _section(section: Section, paths: Paths, paint: Paint) -> Iterator[str]:
 def render(run: Run, *, color: bool = False, view: View = EVERYTHING) -> str:
     """Counts by rule and severity, the most frequent first, with the kind of fix, of what the view shows.
 
-    What was not found on this computer is no rule's finding: it is counted in a line of its own.
+    Models and packages that were not found on this computer have a line of their own.
     """
     closing = fitted(closing_line(run, view), view.width) + "\n"
     if not run.diagnostics:
