@@ -701,7 +701,7 @@ class _Changes:
 
     def geometry(self, link: str, a: Geometry, b: Geometry) -> Iterator[Change]:
         label = f"{b.role} `{b.name}`" if b.name else b.role
-        if not self.across_formats and a.name != b.name:
+        if not self.across_formats and not _are_called_alike(link, a, b):
             yield self.changed("link", link, f"name of a {b.role}", a.name or "none", b.name or "none")
         if a.kind != b.kind:
             yield self.changed("link", link, f"{label} shape", _title(a), _title(b))
@@ -785,6 +785,12 @@ def _turned_round(joint: Joint) -> Joint:
 def _in_child(robot: Mechanism, joint: Joint) -> Array:
     child = robot.links.get(joint.child)
     return inverse(child.pose) @ joint.pose if child is not None else joint.pose.copy()
+
+
+def _are_called_alike(link: str, a: Geometry, b: Geometry) -> bool:
+    """Whether two shapes have one name; one without a name gets that of its link from libsdformat."""
+    given = f"{link}_{b.role}"
+    return a.name == b.name or ("" in (a.name, b.name) and (a.name or b.name).startswith(given))
 
 
 class _Partners:

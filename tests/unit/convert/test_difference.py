@@ -249,6 +249,16 @@ def test_the_only_shape_of_a_link_is_followed_without_a_name(tmp_path: Path) -> 
     assert [change.what for change in found] == ["name of a visual", "visual `w` size"]
 
 
+@pytest.mark.parametrize(
+    ("name", "reported"), [("base_visual", []), ("base_visual_1", []), ("shell", ["name of a visual"])]
+)
+def test_a_shape_without_a_name_is_called_like_its_link(
+    tmp_path: Path, name: str, reported: list[str]
+) -> None:
+    found = changes(tmp_path, URDF, URDF.replace("<visual>", f"<visual name='{name}'>", 1))
+    assert [change.what for change in found] == reported
+
+
 def test_a_follower_is_the_same_by_another_reference(tmp_path: Path) -> None:
     mimic = (
         "<mimic joint='lead'><multiplier>2</multiplier><offset>{}</offset><reference>{}</reference></mimic>"
