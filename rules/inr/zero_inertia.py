@@ -32,6 +32,13 @@ BODY = (
     f'<inertial><mass value="1"/>{INERTIA.format("«inertia»")}</inertial>'
     '<collision><geometry><box size="1 1 1"/></geometry></collision>'
 )
+HINGED = (
+    '<sdf version="1.12"><model name="m"><link name="door">'
+    f"<inertial><mass>1</mass><«inertia»>{ZERO}</inertia></inertial>"
+    '<collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision></link>'
+    '<joint name="hinge" type="revolute"><parent>world</parent><child>door</child>'
+    "<axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"
+)
 
 
 class ZeroInertia(Rule):
@@ -61,6 +68,7 @@ class ZeroInertia(Rule):
         ),
         Bad(ROBOT.format("«inertia»", ""), scaffold="", says="moments of 0"),
         Bad(MOVED.format(BODY), scaffold="", says="link `b` has a mass of 1 kg and moments of 0"),
+        Bad(HINGED, scaffold="", says="link `door` has a mass of 1 kg and moments of 0"),
     )
     good = (
         Good("<inertial><mass>1</mass></inertial>", why="the moments are 1 where they are not written"),
@@ -85,8 +93,9 @@ class ZeroInertia(Rule):
         if not (inertial.mass.is_given and inertial.mass.number > 0):
             return False
         link = inertial.link
-        if link.parent_joints:
-            return bool(link.shapes) and link.parent_joints[0].moves and not counts_as_massless(link)
+        holding = link.parent_joints or joints_to_world(link)
+        if holding:
+            return bool(link.shapes) and holding[0].moves and not counts_as_massless(link)
         # In a part or a macro the other end of a joint is where nobody can see it.
         return not link.child_joints and not any(
             joint.child_link is link or link.name in {joint.parent_name, joint.child_name}
@@ -103,6 +112,15 @@ class ZeroInertia(Rule):
         if not link.parent_joints:
             affects = {Consumer.MUJOCO: accepts("makes it part of the world")}
         yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"}, affects=affects)
+
+
+def joints_to_world(link: Link) -> tuple[Joint, ...]:
+    """The joints of SDFormat by which the world holds it."""
+    if link.is_urdf or link.holder is None or link.holder.kind != "model":
+        return ()
+    return tuple(
+        joint for joint in link.model.joints if joint.parent_name == "world" and joint.child_link is link
+    )
 
 
 def counts_as_massless(link: Link) -> bool:
