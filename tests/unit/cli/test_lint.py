@@ -185,6 +185,18 @@ def test_settings_are_shown_for_the_first_path(shell: Shell) -> None:
     assert shell.lint("gone", "--show-settings").code == 2
 
 
+def test_settings_are_shown_with_where_they_are_set(shell: Shell) -> None:
+    Path("base.toml").write_text('target = ["drake"]\nignore = ["BBB"]\n\n[severity]\nNS = "off"\n')
+    Path("sdfcheck.toml").write_text('extend = "base.toml"\nfail-on = "error"\n')
+    lines = shell.lint("--show-settings", "--ignore", "CCC", "--target", "gazebo").out.splitlines()
+    assert lines[:2] == ["# from sdfcheck.toml", "# from base.toml"]
+    assert 'target = ["gazebo"]  # --target' in lines
+    assert 'ignore = ["BBB", "CCC"]  # base.toml:2, --ignore' in lines
+    assert 'fail-on = "error"  # sdfcheck.toml:2' in lines
+    assert "[severity]  # base.toml:4" in lines
+    assert "exclude = []" in lines
+
+
 @pytest.mark.parametrize(
     ("option", "environment", "colored"),
     [
