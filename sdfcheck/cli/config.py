@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from textwrap import wrap
 
 import click
 
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.options import formatted, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
-from sdfcheck.cli.parts.terminal import say
+from sdfcheck.cli.parts.terminal import say, width_of
 from sdfcheck.lint.config.settings import FIELDS
 from sdfcheck.source.errors import WrongUsage
 
@@ -69,17 +71,30 @@ def config(form: str, output_file: Path | None) -> None:
     The settings that apply to a file: sdfcheck lint --show-settings FILE.
     """
     if form == "text":
-        deliver_lines(_lines(), output_file)
+        deliver_lines(_lines(width_of(sys.stdout) if output_file is None else None), output_file)
         return
     from sdfcheck.lint.config.schema import render
 
     deliver(render(), output_file)
 
 
-def _lines() -> list[str]:
-    width = max(len(field.key) for field in FIELDS)
+def _lines(cells: int | None) -> list[str]:
+    """The keys and what they are for, in lines of at most so many cells, if they go to a terminal."""
+    indent = " " * (max(len(field.key) for field in FIELDS) + 2)
     lines = []
     for field in FIELDS:
         default = f" (default: {field.default})" if field.default else ""
-        lines += [f"{field.key:{width}}  {field.summary}", f"{'':{width}}  {field.shape}{default}"]
+        first, *others = [
+            line
+            for text in (field.summary, f"{field.shape}{default}")
+            for line in _wrapped(text, indent, cells)
+        ]
+        lines += [field.key.ljust(len(indent)) + first.lstrip(), *others]
     return lines
+
+
+def _wrapped(text: str, indent: str, cells: int | None) -> list[str]:
+    if cells is None:
+        return [indent + text]
+    width = max(cells, len(indent) + 20)
+    return wrap(text, width, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)

@@ -197,3 +197,7 @@ def test_codes_lead_to_the_pages_of_rules(monkeypatch: pytest.MonkeyPatch, tmp_p
     assert page in written("rules", "FRM")
     monkeypatch.setenv("NO_COLOR", "1")
     assert "\x1b" not in written("lint", "--isolated", "a.sdf")
+
+
+def test_the_keys_of_configurations(run: Run) -> None:
+    assert any(row.startswith("per-file-ignores") for row in run("config"))
