@@ -45,12 +45,12 @@ class ExpansionError(Rule):
     code = "XAC001"
     name = "expansion-error"
     severity = Severity.ERROR
-    remedy = """Correct the expression or the values that reach it; the notes show where they come from.
+    remedy = """Correct the expression, or the values that reach it.
 
-    Expressions are those of Python without imports: texts need quotes, and properties are named without
-    another `${…}`. An argument gets a value by `NAME:=VALUE` after the file, or a default in
-    `<xacro:arg name="…" default="…"/>`. A condition is `true`, `false` or a number. For macros that call
-    themselves, `xacro:if` has to end them.
+    Notes show where the values come from. Expressions are those of Python without imports: texts need
+    quotes, and properties are named without another `${…}`. An argument gets a value by `NAME:=VALUE` after
+    the file, or a default in `<xacro:arg name="…" default="…"/>`. A condition is `true`, `false` or a
+    number. For macros that call themselves, `xacro:if` has to end them.
     """
     explains = (problems.ExpansionFailure,)
     scaffold = IN_XACRO
