@@ -225,12 +225,17 @@ class Library:
         self.refused: dict[Path, Path] = {}
         """Files that lie outside of what may be read → a document that refers to them."""
 
-    def document(self, path: Path, kind: Kind | None = None, of: Document | None = None) -> Document | None:
-        """The document of a file that a person named, or that another document refers to; None if it cannot be read."""
+    def document(
+        self, path: Path, kind: Kind | None = None, of: Document | None = None, data: bytes | None = None
+    ) -> Document | None:
+        """The document of a file that a person named, or that another document refers to; None if it cannot be read.
+
+        ``data`` is its content, where that has been read: a pipe gives it once.
+        """
         key = self.disk.real(path)
         if key not in self._documents:
             try:
-                document = self._read(path, key, kind, of)
+                document = self._read(path, key, kind, of, data)
             except Outside:
                 return None  # for this document; another one may bring it in
             self._documents[key] = document
@@ -323,11 +328,14 @@ class Library:
         """Did something refer to a file?"""
         return self.disk.real(path) in self._documents
 
-    def _read(self, path: Path, key: str, kind: Kind | None, of: Document | None) -> Document | None:
+    def _read(
+        self, path: Path, key: str, kind: Kind | None, of: Document | None, data: bytes | None
+    ) -> Document | None:
         from sdfcheck.source.document import read
 
         try:
-            data = read_named(path, self._limit) if of is None else self.read(path, of)
+            if data is None:
+                data = read_named(path, self._limit) if of is None else self.read(path, of)
         except Outside:
             raise
         except OSError:

@@ -97,7 +97,10 @@ class _Draft:
         while waiting:
             scope, prefix = waiting.pop()
             nested = []
-            for own, node in scope.nodes.items():
+            named = scope.nodes
+            # In URDF a joint may have the name of a link.
+            namesakes = [(joint.name, joint) for joint in scope.joints if named.get(joint.name) is not joint]
+            for own, node in (*named.items(), *namesakes):
                 self.names[node] = f"{prefix}::{own}" if prefix else own
                 self.tops[node] = top
                 if isinstance(node, Model):

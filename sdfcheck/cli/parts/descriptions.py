@@ -82,10 +82,11 @@ def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
         check_arguments(around.arguments, [file], settings)
     library = Library(settings.search, settings.size_limit)
     try:
-        kind = sniff(read_named(file, settings.size_limit), file)
+        data = read_named(file, settings.size_limit)
     except OSError as error:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
-    document = library.document(file, None if kind is Kind.BROKEN_XML else kind)
+    kind = sniff(data, file)
+    document = library.document(file, None if kind is Kind.BROKEN_XML else kind, data=data)
     if document is not None and document.kind is Kind.XACRO:
         document = _expanded(document, settings, around)
     if document is None or document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:

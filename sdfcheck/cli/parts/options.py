@@ -329,11 +329,13 @@ def path(flag: str, help: str) -> Callable[[Any], Any]:
 
 
 def require_file(file: Path) -> None:
-    """Make sure that an input is a file.
+    """Make sure that an input is a file, or a pipe that a shell gave.
 
-    Raises: WrongUsage: the file does not exist, or is a folder, a pipe or a device.
+    Raises: WrongUsage: the file does not exist, or is a folder, another pipe or a device.
     """
     if not os.path.isfile(file):
-        from sdfcheck.files.regular import oddity
+        from sdfcheck.files.regular import descriptor, oddity
 
+        if descriptor(file) is not None and not os.path.isdir(file):
+            return
         raise WrongUsage(f"{file}: {oddity(file)}" if os.path.lexists(file) else f"no such file: {file}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -81,3 +82,28 @@ def test_a_file_in_place_of_the_graph_gets_the_command(capsys: pytest.CaptureFix
     file = ROBOTS / "diff_drive" / "model.sdf"
     assert main(["graph", str(file)]) == 2
     assert f"which graph of it? Try `sdfcheck graph joints {file}`" in capsys.readouterr().err
+
+
+def test_a_joint_may_have_the_name_of_a_link(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    joint = '<joint name="{}" type="fixed"><parent link="{}"/><child link="{}"/></joint>'
+    links = '<link name="base"/><link name="hand"/><link name="jaw"/>'
+    robot = f'<robot name="r">{links}{joint.format("j", "base", "hand")}{joint.format("hand", "hand", "jaw")}</robot>'
+    (tmp_path / "r.urdf").write_text(robot)
+    assert main(["graph", "joints", str(tmp_path / "r.urdf")]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "link base",
+        "└─ j (fixed) → link hand",
+        "   └─ hand (fixed) → link jaw",
+    ]
+
+
+@pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="this system has no /dev/fd")
+def test_a_pipe_of_the_shell_is_read(capsys: pytest.CaptureFixture[str]) -> None:
+    reading, writing = os.pipe()
+    os.write(writing, b'<robot name="r"><link name="base"/></robot>')
+    os.close(writing)
+    try:
+        assert main(["graph", "joints", f"/dev/fd/{reading}"]) == 0
+    finally:
+        os.close(reading)
+    assert capsys.readouterr().out == "link base\n"
