@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
+from sdfcheck.lint.diagnostic import named
 from sdfcheck.lint.targets import errors
 from sdfcheck.robot.graph import Model, Scope
 from sdfcheck.robot.load import Unreadable, as_text, opened, parse
@@ -29,6 +30,10 @@ if TYPE_CHECKING:
 
 Writable = str | bool | float | Iterable[float]
 """A value to write: text, truth, a number, or several numbers (a vector, ``[*pose.xyz, *pose.rpy]``)."""
+
+
+_VALUES = {"mass": "value", "parent": "link", "child": "link", "color": "rgba", "texture": "filename"}
+"""Elements of URDF that are one value: the attributes that hold it."""
 
 
 class EditError(ValueError):
@@ -150,27 +155,34 @@ class Edit:
     def set(self, part: Part | Element, name: str, value: Writable) -> None:
         """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
 
-        A value that is there is replaced. A value that is not there is added: in URDF, and where
-        the name begins with ``@``, as an attribute, else as a child element; with the elements around
-        it that are not there.
+        In URDF the values of masses, of parents and children of joints, of colors and textures are set like
+        that, too, whatever their attributes are called. A value that is there is replaced. A value that is
+        not there is added: in URDF, and where the name begins with ``@``, as an attribute, else as a child
+        element; with the elements around it that are not there.
 
         Raises EditError for a second value in an element that the first one has added.
         """
         *path, last = name.split("/")
         element = part if not isinstance(part, Part) else part.element
+        is_urdf = isinstance(part, Part) and part.is_urdf
+        if is_urdf and last in _VALUES:
+            path, last = [*path, last], _VALUES[last]
         text, is_attribute = _text(value), last.startswith("@")
         last = last.removeprefix("@")
         for number, step in enumerate(path):
             child = element.find(step)
             if child is None:
-                as_attribute = is_attribute or (isinstance(part, Part) and part.is_urdf)
+                as_attribute = is_attribute or is_urdf
                 self._add_around(element, path[number:], last, text, as_attribute=as_attribute)
                 return
             element = child
         found = element.attribute(last) if is_attribute else element.value(last)
+        if found is not None and is_urdf and found.attribute is None and found.element.attributes:
+            names = named(f"{name}/{attribute}" for attribute in found.element.attributes)
+            raise EditError(f"`{last}` has no value of its own in URDF: set {names}")
         if found is not None:
             self._write(found, text)
-        elif is_attribute or (isinstance(part, Part) and part.is_urdf):
+        elif is_attribute or is_urdf:
             end = self._span(element.document.spans.name(element)).end
             self._replace(end, end, f' {last}="{escape(text, IN_QUOTES)}"')
         else:

@@ -11,7 +11,7 @@ from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
-from sdfcheck.lint.engine import Dispatch, Xacro, lint_document
+from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro, lint_document
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
@@ -228,10 +228,12 @@ def _silence(
 
     active, rules = book.active(settings, path), book.rules(settings)
     own = directives(result.comments, rules)
+    # A rule that failed may have had something to silence.
+    failed = any(each.code == INTERNAL_ERROR.code for each in result.diagnostics)
     filtered = suppress(
         result.diagnostics,
         own.known,
-        active.codes,
+        frozenset() if failed else active.codes,
         foreign=directives(foreign, rules).known,
         outward=result.outward,
         is_idle=_idle(result.document, rules),

@@ -15,6 +15,7 @@ from typing import Any
 from sdfcheck.consumers.reaction import READS, Reaction
 from sdfcheck.convert.loss import VARYING
 from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.engine import INTERNAL_ERROR
 from sdfcheck.lint.example import MARK_END, MARK_START, Bad, Good, fill, unmark
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.trial import ExampleRunner, file_name
@@ -170,7 +171,10 @@ class Manuals:
         """The manual of a rule, imported from where the rule is; its examples are linted."""
         own = next((rule for rule in _OWN if rule.code == facts.code), None)
         if own is None and facts not in self._index.facts:
-            return Manual(facts, markdown(facts.summary), _REPORT_IT, (), (), is_own=True)
+            remedy = (
+                _REPORT_IT if facts is INTERNAL_ERROR else ""
+            )  # else a finding of a conversion or simulation
+            return Manual(facts, markdown(facts.summary), remedy, (), (), is_own=True)
         rule = own or type(self._index.rule(facts))
         runners = self._runners(() if own else (facts,), facts.affects)
         return Manual(

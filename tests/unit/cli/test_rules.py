@@ -82,7 +82,7 @@ def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) 
     assert "A flaw is `odd`.\n\nIt matters.\n\n" in text
     assert "```xml\n<model odd/>\n```\n\n" in text
     assert "Even:\n\n```xml" in text
-    assert "<!-- sdfcheck: ignore[odd-flaw] reason -->" in text
+    assert "<!-- sdfcheck:ignore[odd-flaw] reason -->" in text
     assert "How to fix it" not in text
 
 
@@ -121,3 +121,23 @@ def test_summaries_are_whole_on_narrow_terminals(width: int) -> None:
     assert len(lines) >= 1 + 2 * len(rules)
     text = " ".join(line.strip() for line in lines)
     assert [facts.code for facts in rules if markdown(facts.summary) not in text] == []
+
+
+def test_suppressions_of_a_rule_that_fails_are_not_called_unused(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    (file,) = tmp_path.glob("pack_*/odd_flaw.py")
+    file.write_text(SHAPE.replace("return ()", "raise ValueError(model.name)"))
+    model = '<model name="m"><link name="l"/></model>'
+    text = f'<sdf version="1.12"><!-- sdfcheck:ignore[odd-flaw] so it is -->{model}</sdf>'
+    Path("m.sdf").write_text(text)
+    assert main(["lint", "m.sdf", "--trust-config", "--fix", "--output-format", "concise"]) == 1
+    out = capsys.readouterr().out
+    assert "INT001" in out
+    assert "SUP001" not in out
+    assert Path("m.sdf").read_text() == text
+
+
+def test_pages_of_simulations_do_not_call_their_findings_bugs(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "How to fix it" in output(capsys, "rule", "INT001")
+    assert "How to fix it" not in output(capsys, "rule", "SIM004")

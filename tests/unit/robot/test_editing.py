@@ -214,3 +214,27 @@ def test_a_text_needs_a_path_to_be_saved(tmp_path: Path) -> None:
         robot.save()
     robot.save(tmp_path / "r.urdf")
     assert (tmp_path / "r.urdf").read_text() == robot.text
+
+
+def test_values_of_urdf_are_written_where_they_are_read() -> None:
+    robot = sdfcheck.edit(
+        '<robot name="r"><link name="a"><inertial><mass value="1"/><origin/></inertial></link></robot>'
+    )
+    link = robot.model("r").link("a")
+    robot.set(link, "inertial/mass", 0.5)
+    assert '<mass value="0.5"/>' in robot.text
+    robot = sdfcheck.edit(URDF)
+    (model,) = robot.models
+    robot.set(model.joint("j"), "parent", "b")
+    robot.set(model.link("a"), "inertial/mass", 2)
+    assert '<joint name="j" type="revolute"><parent link="b"/>' in robot.text
+    assert '<inertial><mass value="2"/></inertial>' in robot.text
+
+
+def test_an_element_of_urdf_without_a_value_is_refused() -> None:
+    robot = sdfcheck.edit(URDF)
+    (model,) = robot.models
+    with pytest.raises(
+        sdfcheck.EditError, match="`limit` has no value of its own in URDF: set `limit/effort` and"
+    ):
+        robot.set(model.joint("j"), "limit", 2)
