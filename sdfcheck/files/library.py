@@ -225,17 +225,12 @@ class Library:
         self.refused: dict[Path, Path] = {}
         """Files that lie outside of what may be read → a document that refers to them."""
 
-    def document(
-        self, path: Path, kind: Kind | None = None, of: Document | None = None, data: bytes | None = None
-    ) -> Document | None:
-        """The document of a file that a person named, or that another document refers to; None if it cannot be read.
-
-        ``data`` is its content, where that has been read: a pipe gives it once.
-        """
+    def document(self, path: Path, kind: Kind | None = None, of: Document | None = None) -> Document | None:
+        """The document of a file that a person named, or that another document refers to; None if it cannot be read."""
         key = self.disk.real(path)
         if key not in self._documents:
             try:
-                document = self._read(path, key, kind, of, data)
+                document = self._read(path, key, kind, of)
             except Outside:
                 return None  # for this document; another one may bring it in
             self._documents[key] = document
@@ -328,18 +323,25 @@ class Library:
         """Did something refer to a file?"""
         return self.disk.real(path) in self._documents
 
-    def _read(
-        self, path: Path, key: str, kind: Kind | None, of: Document | None, data: bytes | None
-    ) -> Document | None:
-        from sdfcheck.source.document import read
+    def given(self, data: bytes, path: Path, kind: Kind | None = None) -> Document:
+        """The document of a file that a person named, whose content has been read: a pipe gives it once."""
+        key = self.disk.real(path)
+        document = self._documents[key] = self._made(data, path, key, kind)
+        self._unseen.append(document)
+        return document
 
+    def _read(self, path: Path, key: str, kind: Kind | None, of: Document | None) -> Document | None:
         try:
-            if data is None:
-                data = read_named(path, self._limit) if of is None else self.read(path, of)
+            data = read_named(path, self._limit) if of is None else self.read(path, of)
         except Outside:
             raise
         except OSError:
             return None
+        return self._made(data, path, key, kind)
+
+    def _made(self, data: bytes, path: Path, key: str, kind: Kind | None) -> Document:
+        from sdfcheck.source.document import read
+
         plain = os.path.normpath(path)
         document = read(data, Path(plain) if self.disk.real(plain) == key else path, kind)
         self._hashes[key] = hash(data)

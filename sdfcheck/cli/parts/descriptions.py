@@ -86,10 +86,10 @@ def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
     except OSError as error:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
     kind = sniff(data, file)
-    document = library.document(file, None if kind is Kind.BROKEN_XML else kind, data=data)
-    if document is not None and document.kind is Kind.XACRO:
+    document = library.given(data, file, None if kind is Kind.BROKEN_XML else kind)
+    if document.kind is Kind.XACRO:
         document = _expanded(document, settings, around)
-    if document is None or document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
+    if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise WrongUsage(f"{file} looks like {kind.description}, not like a robot or world")
     refuse_too_many(document)
     return document

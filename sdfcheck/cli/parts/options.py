@@ -101,7 +101,7 @@ def sdf_version(
         return known
 
     default: dict[str, Any] = {"required": True} if required else {"default": str(NEWEST)}
-    shown = "required" if required else f"default: {NEWEST}"
+    shown = "" if required else f"  [default: {NEWEST}]"  # click says itself what is required
     return click.option(
         "--sdf-version",
         name,
@@ -110,7 +110,7 @@ def sdf_version(
         metavar="VERSION",
         callback=parsed,
         shell_complete=versions,
-        help=f"{help}: {oldest} to {NEWEST}.  [{shown}]",
+        help=f"{help}: {oldest} to {NEWEST}.{shown}",
         **default,
     )
 

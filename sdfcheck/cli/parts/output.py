@@ -44,7 +44,7 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
     """The formats and files that ``FORMAT`` and ``FORMAT=FILE`` name; ``file`` is for the one without a file.
 
     Raises:
-        WrongUsage: a format is unknown, or two reports would go to one place.
+        WrongUsage: a format is unknown, two reports would go to one place, or none to ``file``.
     """
     wanted = []
     for text in formats:
@@ -57,6 +57,8 @@ def outputs(formats: Sequence[str], file: Path | None) -> tuple[Output, ...]:
         if equals and not place:
             raise WrongUsage(f"`{text}` names no file")
         wanted.append(Output(OutputFormat(name), Path(place) if place else file))
+    if file is not None and all("=" in text for text in formats):
+        raise WrongUsage(f"each --output-format names its own file, so that nothing goes to {file}")
     places = [output.file for output in wanted]
     for place_of_one in places:
         if places.count(place_of_one) > 1:

@@ -235,3 +235,11 @@ def test_an_interrupt_ends_with_130(shell: Shell, monkeypatch: pytest.MonkeyPatc
     outcome = shell.lint("good.sdf")
     assert outcome.code == 130
     assert "Traceback" not in outcome.err
+
+
+def test_a_file_that_no_report_goes_to_is_refused(shell: Shell) -> None:
+    Path("a.sdf").write_text('<sdf version="1.12"/>')
+    outcome = shell.lint("a.sdf", "--output-format", "json=one.json", "--output-file", "two.json")
+    assert outcome.code == 2
+    assert "each --output-format names its own file, so that nothing goes to two.json" in outcome.err
+    assert not Path("one.json").exists()
