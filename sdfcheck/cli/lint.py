@@ -173,9 +173,10 @@ def _report(request: Request, options: Options, wanted: Sequence[Output], done: 
         view = view._replace(width=width_of(sys.stdout), links=links)
         emit_lines(lines_of(statistics.render(done, color=color, view=view)), color=color)
     elif not request.quiet and not any(o.file is None and o.format.is_text for o in wanted):
+        from sdfcheck.lint.diagnostic import Severity
         from sdfcheck.report.summary import closing_line
 
-        say(closing_line(done))
+        say(closing_line(done, view._replace(least=Severity.INFO)))
 
 
 def _options(request: Request) -> tuple[Options, tuple[Path, ...]]:

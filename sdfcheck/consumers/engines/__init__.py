@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 
 VARIABLE = "SDFCHECK_ENGINES"
@@ -152,7 +153,10 @@ def interpreter(engine: Engine) -> str:
 
 @cache
 def _elsewhere(python: str) -> frozenset[Engine]:
-    """The engines that another environment has."""
+    """The engines that another environment has.
+
+    Raises: WrongUsage: the variable names no program.
+    """
     if not python:
         return frozenset()
     code = (
@@ -161,7 +165,9 @@ def _elsewhere(python: str) -> frozenset[Engine]:
     )
     try:
         done = subprocess.run([python, "-c", code], capture_output=True, text=True, timeout=30, check=False)
-    except (OSError, subprocess.TimeoutExpired):
+    except OSError as error:
+        raise WrongUsage(f"{VARIABLE}: cannot run {python}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
         return frozenset()
     found = done.stdout.split()
     return frozenset(engine for engine, package in _PACKAGES.items() if package in found)

@@ -243,3 +243,12 @@ def test_a_file_that_no_report_goes_to_is_refused(shell: Shell) -> None:
     assert outcome.code == 2
     assert "each --output-format names its own file, so that nothing goes to two.json" in outcome.err
     assert not Path("one.json").exists()
+
+
+def test_the_closing_line_counts_what_the_reports_count(shell: Shell) -> None:
+    link = (
+        '<link name="l"><visual><geometry><mesh filename="package://far/m.stl"/></geometry></visual></link>'
+    )
+    Path("a.urdf").write_text(f'<robot name="r">{link}</robot>')
+    outcome = shell.lint("a.urdf", "--output-format", "markdown=a.md")
+    assert "warning" not in outcome.err, outcome.err

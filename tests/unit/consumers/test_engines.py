@@ -13,6 +13,7 @@ from sdfcheck.consumers import engines
 from sdfcheck.consumers.engines import Engine, Limits, Outcome, Question, ask, ask_all, is_installed
 from sdfcheck.consumers.engines import urdfdom as check_urdf
 from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.source.errors import WrongUsage
 
 ARM = """<robot name="r">
 <link name="base"><inertial><mass value="5"/>
@@ -117,3 +118,10 @@ def test_modules_of_the_current_folder_are_not_loaded(
 
 def test_each_consumer_is_run_by_an_engine() -> None:
     assert set(engines.RUN_BY) == set(Consumer)
+
+
+def test_a_variable_that_names_no_program_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(engines.VARIABLE, "/nowhere/python")
+    monkeypatch.setattr(engines, "find_spec", lambda name: None)
+    with pytest.raises(WrongUsage, match="SDFCHECK_ENGINES: cannot run /nowhere/python: No such file"):
+        engines.is_installed(Engine.DRAKE)
