@@ -109,7 +109,7 @@ def lint(**given: Any) -> int:
     options, paths = _options(request)
     settings = options.configuration.settings_in(Path.cwd())
     if request.show_settings:
-        return _show_settings(paths, options)
+        return _show_settings(request, paths, options)
     if request.show_files:
         return _show_files(request, paths, options)
     wanted = outputs(request.output_format or settings.output_format, request.output_file)
@@ -229,7 +229,7 @@ def _show_files(request: Request, paths: Sequence[Path], options: Options) -> in
     return 2 if notifier.failed else 0
 
 
-def _show_settings(paths: Sequence[Path], options: Options) -> int:
+def _show_settings(request: Request, paths: Sequence[Path], options: Options) -> int:
     from sdfcheck.lint.config import show as config_show
 
     first = paths[0] if paths else options.stdin_path
@@ -241,5 +241,6 @@ def _show_settings(paths: Sequence[Path], options: Options) -> int:
         if os.path.isdir(first)
         else configuration.settings_for(first)
     )
-    emit(config_show.render(settings))
+    asked = {"fail-on": request.fail_on, "output-format": request.output_format}
+    emit(config_show.render(settings, {key: value for key, value in asked.items() if value}))
     return 0

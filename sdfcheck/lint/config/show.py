@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from enum import Enum
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from sdfcheck.lint.config.settings import FIELDS, UNSET, ArgumentSet, Field, Pattern, Settings, line_of
@@ -17,11 +18,17 @@ _MERGED = frozenset({"model_paths", "package_paths", "packages", "env"})
 """These have been added already."""
 
 
-def render(settings: Settings) -> str:
-    """Every key that is set or has a default, as it would be in ``sdfcheck.toml``, with where it is set."""
+def render(settings: Settings, asked: Mapping[str, object] = MappingProxyType({})) -> str:
+    """Every key that is set or has a default, as it would be in ``sdfcheck.toml``, with where it is set.
+
+    ``asked`` are the values of keys for which a command has options of its own.
+    """
     lines = [f"# from {shown(file.path)}" for file in settings.files] or ["# no configuration file"]
     tables: list[str] = []
     for field in FIELDS:
+        if field.key in asked:
+            lines.append(f"{field.key} = {_toml(asked[field.key])}  # --{field.key}")
+            continue
         value = _value(settings, field)
         if value is None:
             continue

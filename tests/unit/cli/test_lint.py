@@ -189,6 +189,8 @@ def test_settings_are_shown_with_where_they_are_set(shell: Shell) -> None:
     Path("base.toml").write_text('target = ["drake"]\nignore = ["BBB"]\n\n[severity]\nNS = "off"\n')
     Path("sdfcheck.toml").write_text('extend = "base.toml"\nfail-on = "error"\n')
     lines = shell.lint("--show-settings", "--ignore", "CCC", "--target", "gazebo").out.splitlines()
+    failing = shell.lint("--show-settings", "--fail-on", "info", "--output-format", "json").out.splitlines()
+    assert {'fail-on = "info"  # --fail-on', 'output-format = ["json"]  # --output-format'} <= set(failing)
     assert lines[:2] == ["# from sdfcheck.toml", "# from base.toml"]
     assert 'target = ["gazebo"]  # --target' in lines
     assert 'ignore = ["BBB", "CCC"]  # base.toml:2, --ignore' in lines
