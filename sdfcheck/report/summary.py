@@ -42,7 +42,7 @@ EVERYTHING = View()
 
 def closing_line(run: Run, view: View = EVERYTHING) -> str:
     """One line that sums a run up."""
-    fixed = f"Fixed {_of_all(run)}. " if run.fixed else ""
+    fixed = f"Fixed {_of_all(run, view)}. " if run.fixed else ""
     files = counted(len(run.files), "file")
     if run.diagnostics:
         kinds = (Severity.ERROR, Severity.WARNING, Severity.INFO)
@@ -72,9 +72,9 @@ def _fixes(run: Run) -> list[str]:
     return [f"{safe} fixable with --fix", *more]
 
 
-def _of_all(run: Run) -> str:
+def _of_all(run: Run, view: View) -> str:
     """How many findings were fixed, and of how many where some are left."""
-    everything = run.fixed + len(run.diagnostics)
+    everything = run.fixed + len(view.singles(run))
     return (f"{run.fixed} of " if run.diagnostics else "") + counted(everything, "finding")
 
 
