@@ -123,5 +123,9 @@ def test_each_consumer_is_run_by_an_engine() -> None:
 def test_a_variable_that_names_no_program_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(engines.VARIABLE, "/nowhere/python")
     monkeypatch.setattr(engines, "find_spec", lambda name: None)
-    with pytest.raises(WrongUsage, match="SDFCHECK_ENGINES: cannot run /nowhere/python: No such file"):
-        engines.is_installed(Engine.DRAKE)
+    engines.interpreter.cache_clear()
+    try:
+        with pytest.raises(WrongUsage, match="SDFCHECK_ENGINES: cannot run /nowhere/python: No such file"):
+            engines.is_installed(Engine.DRAKE)
+    finally:
+        engines.interpreter.cache_clear()
