@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
+from sdfcheck.formats.urdf.findings import definition
 from sdfcheck.lint.diagnostic import named
 from sdfcheck.lint.targets import errors
 from sdfcheck.robot.graph import Model, Scope
@@ -30,10 +31,6 @@ if TYPE_CHECKING:
 
 Writable = str | bool | float | Iterable[float]
 """A value to write: text, truth, a number, or several numbers (a vector, ``[*pose.xyz, *pose.rpy]``)."""
-
-
-_VALUES = {"mass": "value", "parent": "link", "child": "link", "color": "rgba", "texture": "filename"}
-"""Elements of URDF that are one value: the attributes that hold it."""
 
 
 class EditError(ValueError):
@@ -155,18 +152,19 @@ class Edit:
     def set(self, part: Part | Element, name: str, value: Writable) -> None:
         """Write an attribute or a child element: ``set(link, "inertial/mass", 2.5)``.
 
-        In URDF the values of masses, of parents and children of joints, of colors and textures are set like
-        that, too, whatever their attributes are called. A value that is there is replaced. A value that is
-        not there is added: in URDF, and where the name begins with ``@``, as an attribute, else as a child
-        element; with the elements around it that are not there.
+        An element of URDF with one attribute, such as ``mass``, is set like that too, whatever its attribute
+        is called. A value that is there is replaced. A value that is not there is added: in URDF, and where
+        the name begins with ``@``, as an attribute, else as a child element; with the elements around it that
+        are not there.
 
-        Raises EditError for a second value in an element that the first one has added.
+        Raises EditError for a second value in an element that the first one has added, and for an element of
+        URDF with several attributes, or none.
         """
         *path, last = name.split("/")
         element = part if not isinstance(part, Part) else part.element
         is_urdf = isinstance(part, Part) and part.is_urdf
-        if is_urdf and last in _VALUES:
-            path, last = [*path, last], _VALUES[last]
+        if is_urdf and (attribute := _holder_of_value(element, name)) is not None:
+            path, last = [*path, last], attribute
         text, is_attribute = _text(value), last.startswith("@")
         last = last.removeprefix("@")
         for number, step in enumerate(path):
@@ -177,9 +175,6 @@ class Edit:
                 return
             element = child
         found = element.attribute(last) if is_attribute else element.value(last)
-        if found is not None and is_urdf and found.attribute is None and found.element.attributes:
-            names = named(f"{name}/{attribute}" for attribute in found.element.attributes)
-            raise EditError(f"`{last}` has no value of its own in URDF: set {names}")
         if found is not None:
             self._write(found, text)
         elif is_attribute or is_urdf:
@@ -300,6 +295,24 @@ def edit(what: str | bytes | os.PathLike[str], *, tables: Sequence[Path] = ()) -
             f"{root.document.path} is expanded by xacro: its text cannot be edited through the robot"
         )
     return Edit(root, Path(os.fsdecode(what)) if as_text(what) is None else None)
+
+
+def _holder_of_value(element: Element, path: str) -> str | None:
+    """The attribute of URDF that is all of the element at a path; None where the path is that of an attribute.
+
+    Raises EditError where the element is more than one value.
+    """
+    outer, _, last = path.rpartition("/")
+    top = definition(element)
+    around = None if top is None else top.at(outer)
+    child = None if around is None or last in around.attributes else around.children.get(last)
+    if child is None or child.type is not None:
+        return None
+    names = [name for name, one in child.attributes.items() if name != "name" and not one.consumers]
+    if len(names) != 1:
+        all_of_them = f": set {named(f'{path}/{name}' for name in names)}" if names else ""
+        raise EditError(f"`{last}` has no value of its own in URDF{all_of_them}")
+    return names[0]
 
 
 def _text(value: Writable) -> str:

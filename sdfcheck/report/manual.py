@@ -171,9 +171,8 @@ class Manuals:
         """The manual of a rule, imported from where the rule is; its examples are linted."""
         own = next((rule for rule in _OWN if rule.code == facts.code), None)
         if own is None and facts not in self._index.facts:
-            remedy = (
-                _REPORT_IT if facts is INTERNAL_ERROR else ""
-            )  # else a finding of a conversion or simulation
+            # The others are findings of conversions and simulations.
+            remedy = _REPORT_IT if facts is INTERNAL_ERROR else ""
             return Manual(facts, markdown(facts.summary), remedy, (), (), is_own=True)
         rule = own or type(self._index.rule(facts))
         runners = self._runners(() if own else (facts,), facts.affects)

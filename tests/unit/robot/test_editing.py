@@ -231,10 +231,19 @@ def test_values_of_urdf_are_written_where_they_are_read() -> None:
     assert '<inertial><mass value="2"/></inertial>' in robot.text
 
 
+def test_an_element_of_urdf_with_one_attribute_is_a_value() -> None:
+    robot = sdfcheck.edit('<robot name="r"><link name="a"/><joint name="j" type="fixed"/></robot>')
+    (model,) = robot.models
+    robot.set(model.link("a"), "collision/geometry/box", (1, 2, 3))
+    robot.set(model.joint("j"), "axis", (0, 0, 1))
+    assert '<geometry><box size="1 2 3"/></geometry>' in robot.text
+    assert '<joint name="j" type="fixed" axis=' not in robot.text
+
+
 def test_an_element_of_urdf_without_a_value_is_refused() -> None:
     robot = sdfcheck.edit(URDF)
     (model,) = robot.models
     with pytest.raises(
-        sdfcheck.EditError, match="`limit` has no value of its own in URDF: set `limit/effort` and"
+        sdfcheck.EditError, match="`limit` has no value of its own in URDF: set `limit/lower`, `limit/upper`"
     ):
         robot.set(model.joint("j"), "limit", 2)
