@@ -74,13 +74,13 @@ types-of-platform: $(TOOLS) $(CONDITIONS) build/mypy/sdfcheck_rules
 generate: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index
 	$(BIN)/python -m tables.rule_pages
-	$(BIN)/python -m sdfcheck.convert.loss_table
+	$(BIN)/python -m tables.loss_table
 	$(BIN)/python -m tables.fold_pages
 
 generated: $(TOOLS) $(CONDITIONS)
 	$(BIN)/python -m sdfcheck.lint.rulebook.index --check
 	$(BIN)/python -m tables.rule_pages --check
-	$(BIN)/python -m sdfcheck.convert.loss_table --check
+	$(BIN)/python -m tables.loss_table --check
 
 # In an environment of their own, as they need other versions; without a wheel for this Python they are left out.
 engines: $(TOOLS)

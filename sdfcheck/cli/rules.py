@@ -15,9 +15,9 @@ from sdfcheck.cli.parts.options import colored, configured, formatted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import emit_lines, lines_of, say, wants_color, wants_links, width_of
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.simulation import SimKind
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import counted
+from sdfcheck.lint.kinds import SimKind
 from sdfcheck.lint.rulebook.packs import RuleIndex
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts

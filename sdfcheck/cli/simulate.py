@@ -20,6 +20,9 @@ from sdfcheck.consumers.engines import Engine, Limits, is_installed
 from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
+from sdfcheck.lint.kinds import SIMULATED
+from sdfcheck.lint.one_file import silence_simulated
+from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
@@ -94,9 +97,11 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     document = load(file, surroundings)
     refuse_broken(document)
     settings = Settings(engines, seconds, Limits(time_limit))
-    done = Run(tuple(_findings(document, settings, quiet=quiet)), (file,))
-    failing = surroundings.settings_for(file).fail_on
-    done = done._replace(gate=gate_of(request, failing))
+    configured = surroundings.settings_for(file)
+    failing = configured.fail_on
+    rules = (*RuleBook().rules(configured), *SIMULATED)
+    found, silenced = silence_simulated(_findings(document, settings, quiet=quiet), rules, configured, file)
+    done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
     for output in wanted:
         write(output, done, color=color, view=view_of(request, failing))
     if not quiet:

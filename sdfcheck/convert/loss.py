@@ -2,41 +2,13 @@
 
 from __future__ import annotations
 
-from enum import Enum
-
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
-from sdfcheck.lint.run import RuleFacts
+from sdfcheck.lint.kinds import FindingKind
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import Record
 from sdfcheck.source.text import Span
 
 # The kinds of loss: what conversions report.
-
-
-class FindingKind(Enum):
-    """Kinds of finding that no rule has. A value is the code, what happens and why it matters."""
-
-    @property
-    def code(self) -> str:
-        return str(self.value).partition(" ")[0]
-
-    @property
-    def title(self) -> str:
-        """The kebab-case name."""
-        return self.name.lower().replace("_", "-")
-
-    @property
-    def is_grave(self) -> bool:
-        """Can it be an error?"""
-        raise NotImplementedError
-
-    @property
-    def facts(self) -> RuleFacts:
-        """The facts about the kind, in the form of those about rules; the severity is the highest."""
-        severity = Severity.ERROR if self.is_grave else Severity.WARNING
-        family, about = self.code.rstrip("0123456789"), str(self.value).partition(" ")[2]
-        module = type(self).__module__
-        return RuleFacts(self.code, self.title, family, severity, about, "", True, (), (), {}, module)
 
 
 class LossKind(FindingKind):

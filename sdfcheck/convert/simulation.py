@@ -20,10 +20,11 @@ from lxml import etree
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, Question, ask_all
 from sdfcheck.consumers.engines.behavior import ALIKE
 from sdfcheck.consumers.engines.staging import Stage
-from sdfcheck.convert.loss import FindingKind, NotConvertible
+from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity, counted
+from sdfcheck.lint.kinds import SimKind
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 from sdfcheck.robot.root import root_of
@@ -38,41 +39,6 @@ if TYPE_CHECKING:
     from sdfcheck.robot.graph import Model
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
-
-
-# The kinds of finding of simulations.
-
-
-class SimKind(FindingKind):
-    """The kinds of finding: name, code, what happens and why it matters. Neither name nor code is ever reused."""
-
-    NOT_LOADED = "SIM001 The simulator does not load the robot, or ends while it does."
-    OTHER_MASS = (
-        "SIM002 A link has other mass properties in the simulator than in the text, such as the 1 kg that "
-        "PyBullet gives to links without mass."
-    )
-    OTHER_JOINT = "SIM003 A joint is not in the simulator, or has another range there than in the text."
-    START_OVERLAP = (
-        "SIM004 Two links that are not neighbors overlap where the robot starts, so that the simulator "
-        "pushes them apart or locks them."
-    )
-    UNSTABLE = (
-        "SIM005 The robot gains energy from nothing, or its positions are not finite: mass, inertia or "
-        "joints are not those of a body."
-    )
-    STEP_DEPENDENT = "SIM006 The robot moves differently with half and double the time step."
-    COLLIDING_JOINT = "SIM007 A joint moves one part into another within its range."
-    WEAK_JOINT = "SIM008 A joint cannot hold the robot against gravity with its effort."
-    TIPPING = (
-        "SIM009 A robot with wheels does not stay upright, or does not touch the ground with its wheels."
-    )
-    ENGINES_DISAGREE = "SIM010 Two simulators let the robot fall differently."
-    LEFT_OUT = "SIM011 A part of the robot is not simulated, as the simulator cannot read it."
-    CONVERSION_DIFFERS = "SIM012 The robot falls differently when it comes back from SDFormat."
-
-    @property
-    def is_grave(self) -> bool:
-        return self in {SimKind.NOT_LOADED, SimKind.UNSTABLE}
 
 
 _MESHES = {

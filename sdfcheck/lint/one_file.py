@@ -13,6 +13,7 @@ from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
 from sdfcheck.lint.engine import INTERNAL_ERROR, Dispatch, Xacro, lint_document
 from sdfcheck.lint.rulebook.rulebook import RuleBook
+from sdfcheck.lint.select import simulated_levels
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -247,6 +248,26 @@ def _silence(
     return [*kept, *reported], filtered.suppressed
 
 
+def silence_simulated(
+    found: Sequence[Diagnostic], rules: Sequence[RuleFacts], settings: Settings, path: Path
+) -> tuple[Sequence[Diagnostic], int]:
+    """The findings of a simulation that settings and comments leave; how many the comments silence.
+
+    No comment is called unused, for it may silence a finding of another simulator.
+    """
+    from sdfcheck.lint.suppress.suppression import directives, suppress
+
+    levels = simulated_levels(settings, path)
+    wanted = []
+    for each in found:
+        level = levels.get(each.code, each.severity)
+        if level is not None:
+            wanted.append(each._replace(severity=level))
+    comments = _foreign(wanted, None)
+    filtered = suppress(wanted, (), frozenset(), foreign=directives(comments, rules).known)
+    return filtered.kept, filtered.suppressed
+
+
 def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) -> Sequence[Diagnostic]:
     """The diagnostics; no fix of theirs changes a comment for sdfcheck."""
     from sdfcheck.lint.suppress.suppression import touched
@@ -283,8 +304,8 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
     return is_idle
 
 
-def _foreign(diagnostics: Sequence[Diagnostic], path: Path) -> list[Comment]:
-    """The comments for sdfcheck in the other files that diagnostics point at or come through."""
+def _foreign(diagnostics: Sequence[Diagnostic], path: Path | None) -> list[Comment]:
+    """The comments for sdfcheck in the files, other than the own one, that diagnostics point at or come through."""
     sources = {
         span.source
         for diagnostic in diagnostics

@@ -12,6 +12,7 @@ preview is selected by its code or name only, unless previews are asked for.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 
 from sdfcheck.lint.config.settings import UNSET, Settings
 from sdfcheck.lint.diagnostic import Severity
@@ -63,18 +64,33 @@ def covered(
 ) -> tuple[int, frozenset[str]]:
     """How specific a selector is, and the codes that it covers; those in ``hidden`` it has to name.
 
+    Findings of simulations are known without being among the rules; ``ALL`` is all rules.
+
     Raises:
         UnknownSelector: it covers none.
     """
     if selector == ALL:
         return 0, frozenset(facts.code for facts in rules) - hidden
+    found = _meant(selector, rules, hidden) or _meant(selector, _simulated(), hidden)
+    if found is None:
+        raise UnknownSelector(selector, rules)
+    return found
+
+
+def _meant(
+    selector: str, rules: Iterable[RuleFacts], hidden: frozenset[str]
+) -> tuple[int, frozenset[str]] | None:
     for facts in rules:
         if selector in (facts.code, facts.name):
             return len(facts.code), frozenset((facts.code,))
     codes = frozenset(f.code for f in rules if selector.startswith(f.family) and f.code.startswith(selector))
-    if not codes:
-        raise UnknownSelector(selector, rules)
-    return len(selector), codes - hidden
+    return (len(selector), codes - hidden) if codes else None
+
+
+def _simulated() -> tuple[RuleFacts, ...]:
+    from sdfcheck.lint.kinds import SIMULATED
+
+    return SIMULATED
 
 
 def select(
@@ -111,6 +127,22 @@ def without(active: ActiveRules, selectors: Iterable[str], rules: Sequence[RuleF
     """The rules less those that the selectors cover, as ``per-file-ignores`` asks."""
     dropped = frozenset(code for selector in selectors for code in covered(selector, rules)[1])
     return active._replace(facts=tuple(facts for facts in active.facts if facts.code not in dropped))
+
+
+def simulated_levels(settings: Settings, path: Path) -> Mapping[str, Severity | None]:
+    """Codes of findings of simulations → the severity that they get in a file; None: they are ignored.
+
+    ``select`` and ``ALL`` are about rules.
+    """
+    chosen = [(selector, None) for selector in (*settings.ignore, *settings.ignored_for(path))]
+    levels: list[tuple[int, frozenset[str], Severity | None]] = []
+    for selector, level in (*settings.severity, *chosen):
+        found = _meant(selector, _simulated(), frozenset())
+        if found is not None:
+            levels.append((*found, level))
+    # Of equally long selectors, ignoring counts.
+    levels.sort(key=lambda each: (each[0], each[2] is None))
+    return {code: level for _, codes, level in levels for code in codes}
 
 
 def check_targets(targets: Iterable[str]) -> None:

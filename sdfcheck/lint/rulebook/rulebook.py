@@ -70,7 +70,10 @@ class RuleBook:
         # A rule that is not there may be one that could not be loaded.
         faults = "".join(f"; {fault}" for fault in self.faults(settings))
         try:
-            for selector in (*(given.select or ()), *given.extend_select, *given.ignore):
+            for selector in (*(given.select or ()), *given.extend_select):
+                if covered(selector, rules)[1].isdisjoint(facts.code for facts in rules):
+                    raise WrongUsage(f"`sdfcheck simulate` finds `{selector}`, and no rule does")
+            for selector in given.ignore:
                 covered(selector, rules)
         except UnknownSelector as error:
             raise WrongUsage(f"{error}{faults}") from None

@@ -254,3 +254,14 @@ def test_the_closing_line_counts_what_the_reports_count(shell: Shell) -> None:
     Path("a.urdf").write_text(f'<robot name="r">{link}</robot>')
     outcome = shell.lint("a.urdf", "--output-format", "markdown=a.md")
     assert "warning" not in outcome.err, outcome.err
+
+
+def test_names_of_findings_of_simulations_are_known(shell: Shell) -> None:
+    Path("a.urdf").write_text(
+        '<robot name="r"><!-- sdfcheck:ignore[SIM008] held by a brake --><link name="l"/></robot>'
+    )
+    Path("sdfcheck.toml").write_text('ignore = ["weak-joint"]')
+    assert shell.lint("a.urdf").code == 0
+    outcome = shell.lint("a.urdf", "--select", "SIM008")
+    assert outcome.code == 2
+    assert "`sdfcheck simulate` finds `SIM008`, and no rule does" in outcome.err

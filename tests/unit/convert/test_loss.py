@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.convert import loss_table
 from sdfcheck.convert.loss import LossKind
 from sdfcheck.lint.diagnostic import Severity
 from sdfcheck.lint.rulebook.packs import load_index
+from tables import loss_table
 
 ROOT = Path(__file__).parents[3]
 

@@ -196,3 +196,41 @@ def test_a_broken_text_is_not_simulated(tmp_path: Path, capsys: pytest.CaptureFi
     file.write_text('<robot name="r"><link name="a">')
     assert main(["simulate", str(file)]) == 2
     assert "r.urdf:1:31: the text is broken here; `sdfcheck lint` says how" in capsys.readouterr().err
+
+
+def silenced(
+    text: str, configuration: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> list[tuple[str, str]]:
+    """Code and severity of what is left in MuJoCo under a configuration."""
+    if not is_installed(Engine.MUJOCO):
+        pytest.skip(f"mujoco is not installed: {Engine.MUJOCO.advice}")
+    (folder / "robot.urdf").write_text(text, encoding="utf-8")
+    (folder / "sdfcheck.toml").write_text(configuration, encoding="utf-8")
+    line = ["simulate", str(folder / "robot.urdf"), "--in", "mujoco", "--seconds", "1"]
+    assert main([*line, "--output-format", "json", "-q"]) in {0, 1}
+    return [(one["code"], one["severity"]) for one in json.loads(capsys.readouterr().out)["diagnostics"]]
+
+
+@pytest.mark.parametrize(
+    ("comment", "configuration", "left"),
+    [
+        ("", "", [("SIM008", "warning")]),
+        ("ignore[weak-joint] held by a brake", "", []),
+        ("ignore[tipping]", "", [("SIM008", "warning")]),
+        ("", 'ignore = ["SIM008"]', []),
+        ("", 'ignore = ["SIM"]\n[severity]\nSIM008 = "error"', [("SIM008", "error")]),
+        ("", '[severity]\nweak-joint = "off"', []),
+        ("", '[per-file-ignores]\n"*.urdf" = ["weak-joint"]', []),
+        ("", 'ignore = ["ALL"]', [("SIM008", "warning")]),
+    ],
+)
+def test_findings_are_silenced_like_those_of_rules(
+    comment: str,
+    configuration: str,
+    left: list[tuple[str, str]],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    before = f"<!-- sdfcheck:{comment} -->" if comment else ""
+    text = arm(effort=1).replace('<joint name="shoulder"', f'{before}<joint name="shoulder"')
+    assert silenced(text, configuration, tmp_path, capsys) == left

@@ -1,4 +1,4 @@
-"""Writes the tables of losses and findings into the guides: ``python -m sdfcheck.convert.loss_table [--check]``."""
+"""Writes the tables of losses and findings into the guides: ``python -m tables.loss_table [--check]``."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sdfcheck.convert.loss import LossKind
-from sdfcheck.convert.simulation import SimKind
+from sdfcheck.lint.kinds import SimKind
 
 GUIDES: tuple[tuple[Path, str, type[LossKind] | type[SimKind]], ...] = (
     (Path("docs", "converting.md"), "losses", LossKind),
