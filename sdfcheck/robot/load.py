@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.regular import read_named
@@ -25,12 +26,14 @@ def load(
     arguments: Mapping[str, str] | None = None,
     model_paths: Sequence[Path] = (),
     package_paths: Sequence[Path] = (),
+    packages: Mapping[str, Path] = MappingProxyType({}),
     tables: Sequence[Path] = (),
 ) -> Root:
     """Read an SDFormat, URDF or xacro file.
 
     ``arguments`` are given to xacro. Included models are looked for below ``model_paths`` and in
-    the folders of the environment variables that Gazebo uses, packages below ``package_paths``.
+    the folders of the environment variables that Gazebo uses, packages below ``package_paths`` and by
+    their names in ``packages``.
     ``tables`` are those of vendors' own elements (``mujoco.vendor.txt``), as packs of rules bring
     them. Other problems of the file are reported by :func:`sdfcheck.lint`: everything that can be
     understood is there.
@@ -41,7 +44,8 @@ def load(
         WrongUsage: a table cannot be read.
     """
     place = Path(path)
-    search = SearchPaths(tuple(model_paths), tuple(package_paths), tables=_checked(tables))
+    by_name = tuple((name, Path(folder)) for name, folder in packages.items())
+    search = SearchPaths(tuple(model_paths), tuple(package_paths), by_name, tables=_checked(tables))
     return _root(read_named(place), place, arguments, search)
 
 
@@ -93,9 +97,11 @@ def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: 
     if document.kind is Kind.XACRO:
         from sdfcheck.xacro.expansion import Surroundings, expand
 
-        expansion = expand(document, arguments or {}, Surroundings({}, search.packages_in))
+        surroundings = Surroundings(dict(search.packages), search.packages_in)
+        expansion = expand(document, arguments or {}, surroundings)
         if expansion.document is None:
-            raise Unreadable(f"{document.path}: cannot be expanded by xacro")
+            obstacle = expansion.obstacle(document.path)
+            raise Unreadable(f"{obstacle} cannot be expanded by xacro; sdfcheck.lint says why")
         document = expansion.document
     if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise Unreadable(f"{document.path}: looks like {document.kind.description}, no robot description")

@@ -255,6 +255,13 @@ class Expansion(NamedTuple):
     files: tuple[Path, ...]
     arguments: tuple[str, ...] = ()
 
+    def obstacle(self, path: Path) -> str:
+        """The place and text that xacro cannot expand, for a sentence; the file if it is not known."""
+        if not self.problems:
+            return str(path)
+        span = self.problems[0].span
+        return f"{span.source.path}:{span.begin.line}:{span.begin.column}: `{span.text}`"
+
 
 class Expander:
     """Expands files in a process of its own, which is started when it is first needed.

@@ -297,3 +297,23 @@ def test_a_sensor_knows_the_link_that_it_is_on() -> None:
     assert on_link.link is on_link.owner
     assert on_joint.link is None
     assert on_joint.owner is not None
+
+
+def test_the_place_that_xacro_cannot_expand_is_said(tmp_path: Path) -> None:
+    file = tmp_path / "r.urdf.xacro"
+    xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    file.write_text(f'<robot name="r" {xacro}>\n<link name="${{1/0}}"/></robot>')
+    with pytest.raises(sdfcheck.Unreadable, match=r"xacro:2:13: `\$\{1/0\}` cannot be expanded by xacro"):
+        sdfcheck.load(file)
+
+
+def test_packages_are_named_for_xacro(tmp_path: Path) -> None:
+    part = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    (tmp_path / "far").mkdir()
+    (tmp_path / "far" / "part.xacro").write_text(part.format('<link name="l"/>'))
+    (tmp_path / "near").mkdir()
+    file = tmp_path / "near" / "r.urdf.xacro"
+    include = '<xacro:include filename="$(find far)/part.xacro"/>'
+    file.write_text(part.format(include).replace("<robot", '<robot name="r"'))
+    loaded = sdfcheck.load(file, packages={"far": tmp_path / "far"})
+    assert [link.name for link in loaded.model("r").links] == ["l"]

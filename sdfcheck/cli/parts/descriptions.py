@@ -109,11 +109,12 @@ def warn_if_broken(*documents: Document) -> None:
 def _expanded(document: Document, settings: Settings, around: SearchContext) -> Document:
     with expander_for(settings) as expander:
         chosen = chosen_arguments(document.path, settings, around)
-        expanded = expander.expand(document, chosen).document
-    if expanded is None:
-        raise WrongUsage(f"{document.path} cannot be expanded; `sdfcheck expand` says why")
-    expanded.library = document.library
-    return expanded
+        expansion = expander.expand(document, chosen)
+    if expansion.document is None:
+        obstacle = expansion.obstacle(document.path)
+        raise WrongUsage(f"{obstacle} cannot be expanded; `sdfcheck expand` says why")
+    expansion.document.library = document.library
+    return expansion.document
 
 
 def expander_for(settings: Settings) -> Expander:
