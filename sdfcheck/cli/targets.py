@@ -18,6 +18,7 @@ from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
 from sdfcheck.consumers.reaction import UNFOUND, Consumer, Verdict
 from sdfcheck.files.regular import read_named
+from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
@@ -213,16 +214,22 @@ def _folded(line: str, indent: int, width: int | None) -> list[str]:
 
 
 def _reasons(row: Row, file: Path, most: int | None) -> list[str]:
-    reasons = []
-    for reason in row.reasons[:most]:
-        diagnostic = reason.diagnostic
-        verdict, words = reason.reaction
-        reasons.append(
-            f"{verdict.value:6} {_place(reason, file)}: {diagnostic.message} [{diagnostic.code}] ({words})"
-        )
-    if left := len(row.reasons) - len(reasons):
-        reasons.append(f"and {left} more (--all shows them)")
-    return reasons
+    """The lines of the reasons; those that read alike share one, unless all are asked for."""
+    groups: dict[object, list[Reason]] = {}
+    for number, reason in enumerate(row.reasons):
+        key = (reason.reaction, reason.diagnostic.code, reason.diagnostic.message)
+        groups.setdefault(number if most is None else key, []).append(reason)
+    lines = []
+    for first, *others in list(groups.values())[:most]:
+        verdict, words = first.reaction
+        place = _place(first, file) + (f" and {counted(len(others), 'other place')}" if others else "")
+        about = first.diagnostic
+        lines.append(f"{verdict.value:6} {place}: {about.message} [{about.code}] ({words})")
+    if left := sum(map(len, list(groups.values())[len(lines) :])):
+        lines.append(f"and {left} more (--all shows them)")
+    elif len(lines) < len(row.reasons):
+        lines.append("--all shows each place")
+    return lines
 
 
 def _said(row: Row, answer: Answer) -> Iterator[str]:

@@ -257,3 +257,18 @@ def test_an_included_robot_is_judged_as_a_whole(tmp_path: Path, capsys: pytest.C
     shown = capsys.readouterr().out
     assert shown.count("reject\n") == len(Consumer)
     assert "(gets no robot description)" in shown
+
+
+def test_reasons_that_read_alike_share_a_line(tmp_path: Path) -> None:
+    links = "".join(
+        f'<link name="l{n}"><collision><geometry><mesh filename="m.dae"/></geometry></collision></link>'
+        for n in range(3)
+    )
+    (tmp_path / "r.urdf").write_text(f'<robot name="r">{links}</robot>')
+    (tmp_path / "m.dae").write_text("<COLLADA/>")
+    rows = verdicts(tmp_path / "r.urdf", [Consumer.DRAKE], SearchContext(Configuration(isolated=True)))
+    said = [line for line in lines(rows, tmp_path / "r.urdf") if "DRK009" in line]
+    assert len(said) == 1
+    assert "and 2 other places: a `.dae` file cannot be a collision" in said[0]
+    each = [line for line in lines(rows, tmp_path / "r.urdf", most=None) if "DRK009" in line]
+    assert len(each) == 3
