@@ -100,9 +100,8 @@ def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
 
 def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
     """The changes that no loss has reported."""
+    renamed = {change.after: change.before for change in changes if change.what.startswith("name of a")}
     for change in changes:
-        if "/material/" in change.what and change.before == "none":
-            continue  # the one color of URDF is written as all that SDFormat has
         looks = change.part
         looks += f": {change.what}" if change.kind is ChangeKind.CHANGED else f" {change.kind.value}"
         kinds: set[LossKind] = set()
@@ -113,6 +112,7 @@ def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
             for text in (change.name, change.before, *quoted)
             for name in (text, *re.split("::|__|/+", text))
         }
+        names |= {renamed[name] for name in names if name in renamed}
         if not any(loss.kind in kinds and _names_any(loss, names - {""}) for loss in losses):
             yield f"{looks}: {change.name} {change.before} → {change.after}"
 

@@ -231,12 +231,16 @@ def add_color(context: Context, node: Xml, visual: Element, scope: str) -> None:
             carry_custom(context, node.add("material", name=_own_name(context)), material, scope)
         return
     context.ledger.take(chosen, TEXT)
-    if ambient is not None and ambient is not chosen and not context.ledger.is_entered(ambient):
+    if ambient is None or diffuse is None:
+        lacking = "diffuse" if diffuse is None else "ambient"
+        message = f"the {chosen.name} color of {visual.title} is the {lacking} one as well: URDF has one color"
+        context.ledger.note(LossKind.CHANGED_COLOR, chosen, message, Severity.INFO)
+    elif not context.ledger.is_entered(ambient):
         if _rgba(ambient) == color:
             context.ledger.take(ambient, TEXT)
         else:
             message = f"the ambient color {ambient.content} of {visual.title} is left out: URDF has one color"
-            context.ledger.lose(LossKind.CHANGED_COLOR, ambient, message, Severity.INFO)
+            context.ledger.lose(LossKind.CHANGED_COLOR, ambient, message)
     if texture is None:
         written = node.add("material", name=context.colors[color])
     else:
