@@ -179,14 +179,18 @@ class Section(NamedTuple):
 def sections(run: Run, view: View) -> Iterator[Section]:
     """Fixable findings first, then errors, then warnings, then infos; those without findings are left out."""
     shown = view.shown(run)
-    fixable = [each for each in shown if each.fix is not None and each.fix.is_safe]
-    others = [each for each in shown if each.fix is None or not each.fix.is_safe]
+    fixable = [each for each in shown if _is_fixable(each)]
+    others = [each for each in shown if not _is_fixable(each)]
     if fixable:
         yield Section(_FIXABLE, _rows(fixable), is_fixable=True)
     for severity, heading in _HEADINGS.items():
         found = [each for each in others if each.severity is severity]
         if found:
             yield Section(heading, _rows(found), is_fixable=False)
+
+
+def _is_fixable(diagnostic: Diagnostic) -> bool:
+    return diagnostic.fix is not None and diagnostic.fix.is_safe
 
 
 def _rows(found: Sequence[Diagnostic]) -> list[Row]:
@@ -207,8 +211,12 @@ def overview(run: Run, view: View, paths: Paths, paint: Paint) -> Iterator[str]:
     hidden = [each for each in apart if not each.severity >= view.least]
     if hidden:
         codes = sorted({each.code for each in hidden})
+        fixable = sum(map(_is_fixable, hidden))
+        fixed = f"; `--fix` corrects {fixable} of them" if fixable else ""
         yield ""
-        yield f"{counted(len(hidden), 'info')} of {counted(len(codes), 'rule')}: not shown, and rarely urgent"
+        yield (
+            f"{counted(len(hidden), 'info')} of {counted(len(codes), 'rule')}: not shown, and rarely urgent{fixed}"
+        )
 
 
 def _section(section: Section, paths: Paths, paint: Paint) -> Iterator[str]:

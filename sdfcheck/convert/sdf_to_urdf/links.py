@@ -233,7 +233,9 @@ def add_color(context: Context, node: Xml, visual: Element, scope: str) -> None:
     context.ledger.take(chosen, TEXT)
     if ambient is None or diffuse is None:
         lacking = "diffuse" if diffuse is None else "ambient"
-        message = f"the {chosen.name} color of {visual.title} is the {lacking} one as well: URDF has one color"
+        message = (
+            f"the {chosen.name} color of {visual.title} is the {lacking} one as well: URDF has one color"
+        )
         context.ledger.note(LossKind.CHANGED_COLOR, chosen, message, Severity.INFO)
     elif not context.ledger.is_entered(ambient):
         if _rgba(ambient) == color:

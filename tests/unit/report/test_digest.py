@@ -104,6 +104,12 @@ def test_a_large_run_begins_with_what_to_do_first() -> None:
     assert len(text.splitlines()) < 200
 
 
+def test_infos_that_a_fix_corrects_are_counted_apart() -> None:
+    text = full(*many(), INFO, fixed(INFO, "b"), fixed(INFO, "c"))
+    assert "3 infos of 1 rule: not shown, and rarely urgent; `--fix` corrects 2 of them\n" in text
+    assert "not shown, and rarely urgent\n" in full(*many(), INFO)
+
+
 def test_the_number_of_findings_can_be_limited() -> None:
     text = full(*many(), view=FOLDING._replace(most=2))
     assert text.count("error[") == 2
