@@ -5,7 +5,7 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
 _HELP: Mapping[str, str] = {
-    "argument": "give it a value: `sdfcheck expand FILE {detail}:=…`, or under `xacro` in the configuration",
+    "argument": "give it a value: `{detail}:=…` after the file, or under `xacro` in the configuration",
     "variable": "set it, and pass it on with `--env {detail}` or `env` in the configuration",
     "withheld": "pass it on with `--env {detail}` or `env` in the configuration",
     "file": 'correct the path, or write `optional="true"` if the file need not be there',

@@ -148,8 +148,11 @@ class Caches:
             self._expanders[key] = self._expander(self._surroundings(settings))
             self._expanders[key].start()
 
-        sets = (self._arguments,) if self._arguments else settings.arguments_for(path)
-        return Xacro(self._expanders[key], tuple(dict(given) for given in sets))
+        sets: Sequence[ArgumentSet] = settings.arguments_for(path)
+        if self._arguments:  # they have the last word in each set
+            merged = ({**dict(given), **dict(self._arguments)} for given in sets or ((),))
+            sets = list(dict.fromkeys(tuple(given.items()) for given in merged))
+        return Xacro(self._expanders[key], tuple(map(dict, sets)))
 
     def _expander(self, surroundings: Surroundings) -> Expander:
         from sdfcheck.xacro.expansion import Expander

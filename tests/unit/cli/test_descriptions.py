@@ -197,3 +197,22 @@ def test_sets_of_arguments_are_for_the_files_of_a_folder(tmp_path: Path, capsys:
     out = capsys.readouterr().out
     assert "big.xacro" in out
     assert "small.xacro" not in out
+
+
+def test_arguments_of_the_command_line_go_before_those_of_the_configuration(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    link = '<link name="$(arg side)_${1.0*$(arg size)}"/>'
+    Path("a.urdf.xacro").write_text(
+        f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{link}</robot>'
+    )
+    Path("sdfcheck.toml").write_text(
+        '[xacro]\n"*.xacro" = [{size = "2", side = "a"}, {size = "x", side = "b"}]'
+    )
+    line = ["lint", "a.urdf.xacro", "--output-format", "concise"]
+    assert main([*line, "side:=right"]) == 1
+    named = capsys.readouterr().out
+    assert "property `x` is not defined" in named
+    assert "XAC001" not in named
+    assert main([*line, "size:=3"]) == 0
