@@ -101,7 +101,14 @@ def unwarned(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
 def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
     """The changes that no loss has reported."""
     renamed = {change.after: change.before for change in changes if change.what.startswith("name of a")}
+    has_maps = any("becomes an albedo map" in loss.message for loss in losses)
     for change in changes:
+        if (
+            has_maps
+            and change.before == "none"
+            and change.what.endswith(("/material/pbr", "/material/diffuse"))
+        ):
+            continue  # reported once for a texture, by its file
         looks = change.part
         looks += f": {change.what}" if change.kind is ChangeKind.CHANGED else f" {change.kind.value}"
         kinds: set[LossKind] = set()
