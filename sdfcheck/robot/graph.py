@@ -3064,14 +3064,16 @@ class GazeboBlock(Part):
         """Does its reference name no link or joint?
 
         Names with expressions are left out, names of missing links that joints use, and names of links and
-        joints that xacro writes with other arguments.
+        joints that xacro writes with other arguments, or in another robot that includes the same file.
         """
         name = self.reference
         if not name or self.link is not None or self.joint is not None:
             return False
         if is_expression(name) or name in self.model.link_names.unknown:
             return False
-        return name not in self.document.may_name(_NAMED_PART)
+        if name in self.document.may_name(_NAMED_PART):
+            return False
+        return name not in self.document.others_name(_NAMED_PART, self.element)
 
     @property
     def link(self) -> Link | None:

@@ -424,25 +424,29 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
     library = library_of(semantics.document)
     if library is None or not semantics.name or not semantics.named:
         return
-    path = semantics.document.path
+    path, is_complete = semantics.document.path, True
     own = Packages(_package(path))
     if any(True for _ in semantics.element.children("end_effector")):
         semantics.has_kinematics = any(
             file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
         )
     for meant in declared(path, library.packages(path)):
-        head = _own_head(meant.path, semantics)
-        robot = None if head is None else _robot(meant.path, head, semantics, expand, meant.arguments)
+        if (head := _own_head(meant.path, semantics)) is None:
+            continue
+        robot = _robot(meant.path, head, semantics, expand, meant.arguments)
         if robot is not None and _score(semantics, robot) >= _FEWEST:
             semantics.robots = (robot,)
             return
+        is_complete &= robot is not None
     for packages in (own, library.packages(path)):
-        scored = [(_score(semantics, robot), robot) for robot in _candidates(semantics, packages, expand)]
+        candidates = list(_candidates(semantics, packages, expand))
+        is_complete &= None not in candidates
+        scored = [(_score(semantics, robot), robot) for robot in candidates if robot is not None]
         best = max((score for score, _ in scored), default=0.0)
         if best >= _FEWEST:
             semantics.robots = tuple(robot for score, robot in scored if score == best)
             return
-        if packages is own and scored and best == 0:
+        if packages is own and scored and best == 0 and is_complete:
             semantics.strangers = tuple(robot for _, robot in scored)
     if not semantics.strangers:
         semantics.robots = tuple(_called_alike(semantics, own))
@@ -579,16 +583,19 @@ def _score(semantics: Semantics, robot: Model) -> float:
     return sum(part.value.text.strip() in known[part.kind] for part in asked) / max(len(asked), 1)
 
 
-def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model]:
+def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model | None]:
+    """The robots of its name that have links; None for each that cannot be expanded."""
     found = 0
     suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
     for path in _files(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
         head = _own_head(path, semantics)
-        robot = None if head is None else _robot(path, head, semantics, expand)
-        if robot is not None:
-            found += 1
+        if head is None:
+            continue
+        robot = _robot(path, head, semantics, expand)
+        if robot is None or robot.links:
+            found += robot is not None
             yield robot
 
 
@@ -642,7 +649,7 @@ def _robot(
     expand: Expand | None,
     arguments: Mapping[str, str] = _NO_ARGUMENTS,
 ) -> Model | None:
-    """The robot of a file; None where it has no links, or cannot be expanded."""
+    """The robot of a file; None where it cannot be expanded."""
     kind = head.kind
     document: Document | None = read(head.data, path, kind)
     assert document is not None
@@ -651,5 +658,4 @@ def _robot(
         document = expand(document, arguments) if expand is not None else None
     if document is None or document.root is None or document.root.name != "robot":
         return None
-    robot = root_of(document).scopes[0]
-    return robot if robot.links else None  # type: ignore[return-value]
+    return root_of(document).scopes[0]  # type: ignore[return-value]

@@ -16,6 +16,7 @@ from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.scanner.scan import Scan, quick_scan
 from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.text import Source, Span, Step, relative_path
+from sdfcheck.xacro.static.project import names_beside
 
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
@@ -275,6 +276,9 @@ class ExpandedDocument(Document):
                 name for text in self._texts for name in re.findall(pattern, text)
             )
         return self._names[pattern]
+
+    def others_name(self, pattern: str, element: Element) -> Set[str]:
+        return names_beside(self, self.spans.home(element).path, pattern)
 
     @property
     def _texts(self) -> Iterator[str]:

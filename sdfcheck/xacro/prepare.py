@@ -38,25 +38,43 @@ from sdfcheck.xacro.static.reasons import with_reason
 # Files that are only a part of a robot: another file includes them and has the rest.
 
 
-_ENDS = frozenset({"parent", "child"})
+_USES = {
+    ("joint", "parent", "link"): "link",
+    ("joint", "child", "link"): "link",
+    ("joint", "mimic", "joint"): "joint",
+    ("transmission", "joint", "name"): "joint",
+    ("ros2_control", "joint", "name"): "joint",
+}
+"""An element of a robot, one in it, and its attribute: the kind of part whose name that is."""
 
 
 def is_fragment(document: Document) -> bool:
-    """Whether a robot has no links, or not those of its joints, and another file includes it."""
+    """Whether a robot has no links, or names parts that it does not have, and another file includes it."""
     root = document.root
-    if root is None or document.kind is not Kind.URDF or (root.has("link") and not lacks_links(document)):
+    if root is None or document.kind is not Kind.URDF or (root.has("link") and not lacks_parts(document)):
         return False
     return is_included(document)
 
 
-def lacks_links(document: Document) -> bool:
-    """Whether the joints of a robot connect links that it does not have itself."""
+def lacks_parts(document: Document) -> bool:
+    """Whether a robot names links, joints or materials that it does not have itself."""
     root = document.root
     if root is None or document.kind is not Kind.URDF:
         return False
-    own = {link.text_of("name") for link in root.children("link")}
-    ends = (end for joint in root.children("joint") for end in joint.children() if end.name in _ENDS)
-    return any(end.text_of("link") not in own for end in ends)
+    own = {kind: {part.text_of("name") for part in root.children(kind)} for kind in ("link", "joint")}
+    for part in root.children():
+        for inner in part.children():
+            for attribute in inner.attributes:
+                kind = _USES.get((part.name, inner.name, attribute))
+                if kind is not None and inner.text_of(attribute) not in own[kind]:
+                    return True
+    blocks = (block.text_of("reference") for block in root.children("gazebo"))
+    if any(name and name not in own["link"] | own["joint"] for name in blocks):
+        return True
+    visuals = (visual for link in root.children("link") for visual in link.children("visual"))
+    materials = [*root.children("material"), *(each for one in visuals for each in one.children("material"))]
+    defined = {each.text_of("name") for each in materials if each.has("color") or each.has("texture")}
+    return any(each.text_of("name") not in defined for each in materials)
 
 
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
@@ -165,7 +183,7 @@ def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[
         expanded = expansion.document
         if expanded is None or not is_complete(expanded):
             continue
-        if is_included(document) and lacks_links(expanded):
+        if is_included(document) and lacks_parts(expanded):
             continue
         expanded.library = document.library
         yield expanded

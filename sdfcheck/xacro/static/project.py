@@ -51,17 +51,18 @@ class _Filename(NamedTuple):
 class _Project:
     """The names in the xacro files of a project: those that occur, and those that are defined."""
 
-    __slots__ = ("definers", "filenames", "is_whole", "names", "patterns")
+    __slots__ = ("_written", "definers", "filenames", "is_whole", "names", "paths", "patterns")
 
     def __init__(self, packages: Packages) -> None:
         self.filenames: dict[str, list[_Filename]] = {}
         self.patterns: list[_Filename] = []
         self.definers: dict[tuple[str, str], list[Path]] = {}
         """The files that define a macro, or a property outside of macros: ``("macro", name)``."""
+        self._written: dict[str, frozenset[str]] = {}
         names: set[str] = set()
-        paths = list(packages.files(".xacro", FILE_LIMIT))
-        self.is_whole = len(paths) < FILE_LIMIT
-        for path in paths:
+        self.paths = tuple(packages.files(".xacro", FILE_LIMIT))
+        self.is_whole = len(self.paths) < FILE_LIMIT
+        for path in self.paths:
             text = text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
                 folder, _, last = _pattern(name).rpartition("/")
@@ -87,6 +88,13 @@ class _Project:
         globs = [each for each in self.patterns if fnmatch(name, _pattern(each.text).rpartition("/")[2])]
         return [*self.filenames.get(name, ()), *globs]
 
+    def written(self, pattern: str) -> frozenset[str]:
+        """The names, by the group of a pattern, in all the files."""
+        if pattern not in self._written:
+            texts = map(text_of, self.paths)
+            self._written[pattern] = frozenset(name for text in texts for name in re.findall(pattern, text))
+        return self._written[pattern]
+
 
 def is_included(document: Document) -> bool:
     """Does another file of the project include this one? Then it may define what this one uses."""
@@ -94,19 +102,28 @@ def is_included(document: Document) -> bool:
 
 
 def _is_included(document: Document) -> bool:
-    return any(True for _ in _inclusions(document))
+    return any(True for _ in _inclusions(document, document.path))
 
 
 def includers(document: Document) -> list[Path]:
     """The other xacro files of the project that include this one, directly, sorted."""
-    return sorted({each.by for each in _inclusions(document)})
+    return sorted({each.by for each in _inclusions(document, document.path)})
 
 
-def _inclusions(document: Document) -> Iterator[_Filename]:
+def names_beside(document: Document, path: Path, pattern: str) -> frozenset[str]:
+    """The names, by the group of a pattern, in the project's xacro files, if several of them include this one."""
+    library = library_of(document)
+    if library is None or len({each.by for each in _inclusions(document, path)}) < 2:
+        return frozenset()
+    return _project(library, document).written(pattern)
+
+
+def _inclusions(document: Document, path: Path) -> Iterator[_Filename]:
+    """The places where xacro files of a document's project include a file."""
     if (library := library_of(document)) is not None and not library.search.is_alone:
-        packages = library.packages(document.path)
-        own = library.disk.real(document.path)
-        for each in _project(library, document).of(document.path.name):
+        packages = library.packages(path)
+        own = library.disk.real(path)
+        for each in _project(library, document).of(path.name):
             if library.disk.real(each.by) != own and _leads(each, own, packages, library):
                 yield each
 

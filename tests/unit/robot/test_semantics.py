@@ -83,6 +83,14 @@ def test_the_robot_and_the_semantics_may_be_xacro(package: Path, name: str) -> N
     assert found(package, macro.replace('at="7"', 'att="7"'), "part.srdf.xacro") == []
 
 
+def test_another_robot_of_the_name_is_no_stranger_while_one_cannot_be_expanded(package: Path) -> None:
+    leg = '<group name="leg"><joint name="knee"/></group>'
+    assert found(package, leg) == [("SRD007", "robot")]
+    xacro = ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:include filename="$(find nowhere)/leg.xacro"/'
+    (package / "leg.urdf.xacro").write_text(ROBOT.format(xacro))
+    assert found(package, leg) == []
+
+
 def test_descriptions_of_the_robot_come_by_nearness(package: Path) -> None:
     folder = package / "deep"
     folder.mkdir()

@@ -162,6 +162,36 @@ def test_a_part_is_judged_where_it_is_included(folder: Path) -> None:
     assert found(folder, name="whole.xacro") == [("SCH015", "error")]
 
 
+@pytest.mark.parametrize(
+    ("content", "code"),
+    [
+        (
+            '<visual><geometry><sphere radius="1"/></geometry><material name="{}"/></visual>',
+            "URD006",
+        ),
+        ('</link><gazebo reference="{}"/><link name="c">', "GAZ003"),
+        ('</link><transmission name="t"><joint name="{}"/></transmission><link name="c">', "URD011"),
+    ],
+)
+def test_a_part_names_parts_of_the_file_that_includes_it(folder: Path, content: str, code: str) -> None:
+    part = '<link name="b">' + content.format("torso") + "</link>"
+    assert code in dict(found(folder, part, "part.xacro"))
+    has = '<material name="torso"><color rgba="1 1 1 1"/></material><link name="torso"/>'
+    include = '<xacro:include filename="part.xacro"/>'
+    (folder / "whole.xacro").write_text(ROBOT.format(has + include))
+    assert code not in dict(found(folder, name="part.xacro"))
+
+
+def test_a_block_in_a_file_of_several_robots_is_for_one_of_them(folder: Path) -> None:
+    (folder / "blocks.xacro").write_text(PART.format('<gazebo reference="arm"><mu1>1</mu1></gazebo>'))
+    include = '<xacro:include filename="blocks.xacro"/>'
+    assert ("GAZ003", "error") in found(folder, f'<link name="base"/>{include}', "cart.xacro")
+    (folder / "armed.xacro").write_text(ROBOT.format(f'<link name="arm"/>{include}'))
+    assert ("GAZ003", "error") not in found(folder, name="cart.xacro")
+    own = '<link name="base"/><gazebo reference="arm"/>'
+    assert ("GAZ003", "error") in found(folder, own, "cart.xacro")
+
+
 @pytest.mark.parametrize("where", ['<xacro:include filename="{}"/>', '<xacro:arg name="f" default="{}"/>'])
 def test_a_robot_without_links_that_another_file_includes_lacks_nothing(folder: Path, where: str) -> None:
     (folder / "empty.urdf").write_text('<robot name="r"></robot>')
