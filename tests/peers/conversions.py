@@ -32,6 +32,8 @@ NAMED = {Engine.URDFDOM: "urdfdom", Engine.LIBSDFORMAT: "libsdformat"}
 CANNOT = frozenset({"CNV001", "CNV005"})
 """Why nothing is written where the target has no words for the source, or the source is ambiguous."""
 COMPLAINT = re.compile(r"^(Error|Warning)")
+FOLLOWS = re.compile(r"^Error:\s+Could not parse \w+ element")
+"""What urdfdom says after the complaint of what is in the element."""
 
 
 class Job(NamedTuple):
@@ -235,8 +237,16 @@ def _judged(done: Done, answers: dict[Engine, dict[Path, Answer]]) -> Iterator[F
         answer = answers[engine][job.target]
         if not answer.is_accepted and f"{NAMED[engine]} refuses it" not in done.said:
             yield Finding("refused result", job.name, f"{engine.value}: {answer.error}")
-        elif answer.is_accepted and (fresh := _complaints(answer) - known):
-            yield Finding("complaint", job.name, f"{engine.value}: {next(iter(fresh))}")
+        for complaint in _complaints(answer) - known if answer.is_accepted else ():
+            if not FOLLOWS.match(complaint) and not _is_reported(complaint, done):
+                yield Finding("complaint", job.name, f"{engine.value}: {complaint}")
+
+
+def _is_reported(complaint: str, done: Done) -> bool:
+    """Does an error or warning of the conversion name what a consumer complains of?"""
+    messages = [message for _, severity, message in done.reported if severity != "info"]
+    named = re.findall("'([^']+)'", complaint)
+    return any(f"`{name}`" in message for name in named for message in messages)
 
 
 def examine(folders: Sequence[Path], results: Path, version: str = "") -> tuple[list[Done], list[Finding]]:
