@@ -19,7 +19,7 @@ class MisreadValue(Rule):
     libsdformat takes the longest number from the front of a text and forgets the rest: a
     decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one counts.
     A value also ends at a comment. Values that are read as intended anyway (a comma or quote
-    after a number, a hexadecimal number) get a warning.
+    after a number, a hexadecimal number) get a warning, and so does the fraction of a whole number.
     """
 
     code = "SCH012"
@@ -41,6 +41,11 @@ class MisreadValue(Rule):
         Bad("<pose>0 0 1 0 0 «90deg»</pose>", scaffold=IN_LINK, says="`90deg` is read as 90"),
         Bad("<pose>0 0 1 <!-- rpy --> «0 0 0»</pose>", scaffold=IN_LINK, says="`pose` ends at the comment"),
         Bad("<visibility_mask>«-1»</visibility_mask>", scaffold=IMAGE, says="`-1` is read as 4294967295"),
+        Bad(
+            "<visibility_mask>«7.5»</visibility_mask>",
+            scaffold=IMAGE,
+            says="`7.5` is read as 7: `visibility_mask` is a whole number",
+        ),
     )
     good = (
         Good("<mass>1.5 <!-- kg --></mass>", why="nothing is after the comment"),
@@ -48,6 +53,11 @@ class MisreadValue(Rule):
         Good(
             "<image><width>320.0</width><height>240</height></image>",
             why="read as it is meant",
+            scaffold=IMAGE,
+        ),
+        Good(
+            "<image><width>220.00000000000003</width><height>240</height></image>",
+            why="a computed whole number",
             scaffold=IMAGE,
         ),
     )
@@ -74,10 +84,12 @@ class MisreadValue(Rule):
         as_meant = cause == "HEXADECIMAL" or is_same(part.rstrip(TRAILERS), reading.read_as)
         if as_meant and not affects:
             affects = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), accepts("reads what was meant"))
+        message = f"`{part}` is read as {reading.read_as}"
+        is_fraction = cause == "FRACTION"
         yield self.diagnostic(
             problem.span,
-            f"`{part}` is read as {reading.read_as}",
-            severity=Severity.WARNING if as_meant else None,
+            message + f": `{name}` is a whole number" * is_fraction,
+            severity=Severity.WARNING if as_meant or is_fraction else None,
             affects=affects,
         )
 

@@ -68,8 +68,8 @@ def new_errors(
     """The errors for which a result, linted without what is ``ELSEWHERE``, is not written.
 
     Those that its source does not have are placed at the element of the source that has the name of what
-    they are in. Those of the source in ``<gazebo>`` blocks, which only consumers of the result read, are in
-    the source as well.
+    they are in. Those of the source in ``<gazebo>`` blocks, which only consumers of the result read, are those
+    for which these refuse it.
     """
     found = [one for one in after if one.severity is Severity.ERROR]
     if not found:
@@ -89,7 +89,8 @@ def new_errors(
         for one in fresh
         if (one.code, one.message) not in said
     }
-    return [*known, *map(to_diagnostic, sorted(losses, key=lambda loss: (loss.span.start, loss.message)))]
+    stopping = [one for _, one in refused(known, judges(result))]
+    return [*stopping, *map(to_diagnostic, sorted(losses, key=lambda loss: (loss.span.start, loss.message)))]
 
 
 def refused(

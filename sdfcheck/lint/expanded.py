@@ -16,6 +16,7 @@ from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
+from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
@@ -49,8 +50,10 @@ def lint_xacro(
 
 
 def _with_cause(found: Diagnostic) -> Diagnostic:
-    """The same, with its own place as the cause where that holds what looks like an expression in another file."""
-    is_left = found.cause is None and found.origins and BRACES.search(found.span.text)
+    """The same, with its own place as the cause where another file has what xacro may have been meant to read there."""
+    if found.cause is not None or not found.origins:
+        return found
+    is_left = found.span.text in KEYWORDS or BRACES.search(found.span.text)
     return found._replace(cause=found.span) if is_left else found
 
 

@@ -391,7 +391,7 @@ class Outcome(NamedTuple):
     def verdict(self) -> str:
         """Whether the result is the same robot, and how that is known."""
         if self.failed:
-            return "; ".join(filter(None, ("not converted, nothing written", self.way_out)))
+            return "; ".join(filter(None, (f"not converted, nothing written: {self.reason}", self.way_out)))
         if self.verification is not None:
             text = f"verified: {self.verification}"
             text += f", also by {self.also_by}" if self.also_by else ""

@@ -370,8 +370,8 @@ def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Readin
         return misread(0, word_end, Cause.NEGATIVE if written < 0 else Cause.TOO_LARGE, str(value))
     if end < word_end:
         whole = leading_float(text)
-        # `5.0` is cut to 5, which is what is meant.
-        if whole is None or whole.end < word_end or whole.value != value:
+        # `5.0` is cut to 5, which is what is meant, and so is `5.0000000000000003`, which was computed.
+        if whole is None or whole.end < word_end or not math.isclose(whole.value, value, rel_tol=1e-9):
             return misread(0, word_end, rest_cause(text[end], whole=True), str(value))
     if text[word_end:].strip(BLANKS):
         return misread(_next_word(text, word_end), len(text), Cause.EXTRA, str(value))

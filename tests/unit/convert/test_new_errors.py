@@ -80,10 +80,18 @@ def test_a_result_with_a_new_error_is_not_written(tmp_path: Path, capsys: pytest
     out, err = capsys.readouterr()
     assert out.count("`camra`") == 1, "the source's own finding says it"
     assert "CNV031" not in out
-    assert "nothing written" in err
+    assert "nothing written: unknown `type` of sensor `s`" in err
     assert not target.exists()
     assert main([*arguments, "--no-lint"]) == 0
     assert target.exists()
+
+
+def test_an_error_in_a_block_that_libsdformat_reads_on_is_the_sources(tmp_path: Path) -> None:
+    source, target = tmp_path / "r.urdf", tmp_path / "r.sdf"
+    sensor = '<sensor name="s" type="imu"><update_rate>1,5</update_rate></sensor>'
+    source.write_text(f'<robot name="r">{LINK.format("")}<gazebo reference="l">{sensor}</gazebo></robot>')
+    assert main(["convert", "urdf-to-sdf", str(source), "-o", str(target), "--isolated"]) == 0
+    assert "<update_rate>1,5</update_rate>" in target.read_text()
 
 
 def test_warnings_that_mean_another_robot_are_shown(
