@@ -33,7 +33,7 @@ CANNOT = frozenset({"CNV001", "CNV005"})
 """Why nothing is written where the target has no words for the source, or the source is ambiguous."""
 COMPLAINT = re.compile(r"^(Error|Warning)")
 FOLLOWS = re.compile(r"^Error:\s+Could not parse \w+ element")
-"""What urdfdom says after the complaint of what is in the element."""
+"""A complaint of urdfdom that follows from one about the content of the element."""
 
 
 class Job(NamedTuple):
