@@ -9,12 +9,17 @@ CLAW = (
     '<joint name="${prefix}slide" type="fixed"><parent link="{}"/><child link="${prefix}left"/></joint>'
     "</xacro:macro><xacro:claw/>"
 )
+BOAT = (
+    '<xacro:arg name="ns" default="boat"/><link name="$(arg ns)/hull"/><link name="$(arg ns)/mast"/>'
+    '<joint name="$(arg ns)/foot" type="fixed"><parent link="{}"/><child link="$(arg ns)/mast"/></joint>'
+)
 
 
 class ForgottenPrefix(Rule):
-    """A macro names a link or joint without the prefix that it gives it.
+    """A link or joint is named without the prefix that its own name gets.
 
-    The name is right only as long as nobody calls the macro with a prefix; from then on it reaches nothing.
+    The name is right only as long as nobody calls the macro with a prefix, or gives the file another one as an
+    argument; from then on it reaches nothing.
     """
 
     code = "XAC029"
@@ -25,7 +30,7 @@ class ForgottenPrefix(Rule):
     A link that another file brings under the plain name is rightly without it: give it to the macro as a
     parameter, `parent`.
     """
-    explains = (problems.ForgottenPrefix,)
+    explains = (problems.ForgottenPrefix, problems.NameByDefault)
     scaffold = IN_XACRO
 
     bad = (
@@ -44,6 +49,13 @@ class ForgottenPrefix(Rule):
             unsafe=True,
             file="rotor.xacro",
         ),
+        Bad(
+            BOAT.replace("{}", "«boat/hull»"),
+            fixed=BOAT.replace("{}", "$(arg ns)/hull"),
+            unsafe=True,
+            file=FILE,
+            says="`boat/hull` is `$(arg ns)/hull` by default only",
+        ),
     )
     good = (
         Good(CLAW.replace("{}", "${prefix}palm"), file=FILE),
@@ -53,12 +65,15 @@ class ForgottenPrefix(Rule):
             why="programs of ROS may add the prefix to frames",
             file="rotor.xacro",
         ),
+        Good(BOAT.replace("{}", "$(arg ns)/hull"), file=FILE),
         Good('<link name="palm"/>' + CLAW.replace("{}", "palm"), why="another link has the name", file=FILE),
     )
 
-    def check(self, problem: problems.ForgottenPrefix) -> Iterator[Diagnostic]:
+    def check(self, problem: problems.ForgottenPrefix | problems.NameByDefault) -> Iterator[Diagnostic]:
         assert problem.near is not None
         labels = {problem.other: "defined with the prefix"} if problem.other else None
         fix = replace(problem.span, problem.near, f"write `{problem.near}`", unsafe=True)
         message = f"the macro defines `{problem.near}`, not `{problem.name}`"
+        if isinstance(problem, problems.NameByDefault):
+            message = f"`{problem.name}` is `{problem.near}` by default only"
         yield self.diagnostic(problem.span, message, labels=labels, fix=fix)

@@ -84,6 +84,10 @@ class ForgottenPrefix(Oversight):
     """A macro names a link or joint without the prefix with which it defines it, at ``other``; ``near`` is both."""
 
 
+class NameByDefault(Oversight):
+    """A name is that of a link or joint, at ``other``, only with the default of an argument; ``near`` has that."""
+
+
 class EmptiedBlock(Oversight):
     """A call gives an element without content, and the parameter takes its content only."""
 

@@ -27,6 +27,7 @@ from sdfcheck.xacro.problems import (
     EmptiedBlock,
     ForgottenPrefix,
     MissingXacroPrefix,
+    NameByDefault,
     NeverEqualText,
     OddParameter,
     Oversight,
@@ -125,7 +126,12 @@ _COMPARED_TRUTH = re.compile(
 _TRUTHS = frozenset(("true", "false", "True", "False"))
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<slash>/?)(?P<rest>\w+)")
+_LED = re.compile(r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<rest>/?\w+)")
 _DOUBLED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}[/_]?\$\{\s*(?P=parameter)\s*\}")
+_ASKED = re.compile(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
+_SLASH = re.compile(r"[})]/")
+_LINK = re.compile(r"^(?:parent|child)$|_link$|^link_")
+"""Parameters of macros that are called so name links."""
 _OF_GAZEBO = frozenset(("bodyname", "jointname", "linkname"))
 """Parameters of plugins that Gazebo resolves itself; frames of ROS may get a prefix."""
 _ENDS = frozenset((("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")))
@@ -147,6 +153,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _compared_truths(read, visible)
     yield from _arguments_for_parameters(read)
     yield from _forgotten_prefixes(read, visible)
+    yield from _names_by_default(read, visible)
     yield from _doubled_prefixes(document, read)
     yield from _blocks(read, visible)
     yield from _namespace(document)
@@ -359,9 +366,57 @@ def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversig
                 continue
             parameter, home = found
             name = home.attributes["name"]
-            is_frame = element.name.replace("_", "").lower() not in _OF_GAZEBO and value.attribute is None
-            if (macros[macro].name, parameter) not in given and not ("}/" in name and is_frame):
+            is_frame = _is_frame(element, value) and _SLASH.search(name)
+            if (macros[macro].name, parameter) not in given and not is_frame:
                 yield ForgottenPrefix(value.span, value.text.strip(), _named(home), name)
+
+
+def _names_by_default(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The names that are those of links and joints only while an argument has its default."""
+    arguments = {name: text for each in visible.readings for name, text in each.arguments.items()}
+    if not arguments:
+        return
+    properties = {
+        found.name: match[1]
+        for each in visible.readings
+        for found in each.properties
+        if (match := _ASKED.fullmatch(found.element.attributes.get("value", ""))) is not None
+    }
+    named = [
+        (element, element.attributes.get("name", ""))
+        for each in visible.readings
+        for element, _ in each.elements
+        if element.name in {"link", "joint"}
+    ]
+    defined: dict[str, Element] = {}
+    for element, name in named:
+        match = _LED.fullmatch(name)
+        asked = "" if match is None else match["arg"] or properties.get(match["property"], "")
+        if match is not None and asked in arguments and is_literal(arguments[asked]):
+            defined.setdefault(arguments[asked] + match["rest"], element)
+    plain = {name for _, name in named} if defined else ()
+    for element, _ in read.elements if defined else ():
+        for value in (*_references(element), *_given_links(element)):
+            name = value.text.strip()
+            home = defined.get(name)
+            if home is None or name in plain or is_conditional(element):
+                continue
+            near = home.attributes["name"]
+            if not (_is_frame(element, value) and _SLASH.search(near)):
+                yield NameByDefault(value.span, name, _named(home), near)
+
+
+def _is_frame(element: Element, value: Value) -> bool:
+    """Is a name of a plugin perhaps that of a frame of ROS, to which programs add a prefix?"""
+    return element.name.replace("_", "").lower() not in _OF_GAZEBO and value.attribute is None
+
+
+def _given_links(element: Element) -> Iterator[Value]:
+    """The names of links that the call of a macro gives."""
+    if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] not in KEYWORDS:
+        for name in element.attributes:
+            if _LINK.search(name) and (value := element.attribute(name)) is not None:
+                yield value
 
 
 def _doubled_prefixes(document: Document, read: Reading) -> Iterator[Oversight]:
