@@ -54,7 +54,7 @@ class ForgottenPrefix(Rule):
             fixed=BOAT.replace("{}", "$(arg ns)/hull"),
             unsafe=True,
             file=FILE,
-            says="`boat/hull` is `$(arg ns)/hull` by default only",
+            says="the name `$(arg ns)/hull` is not always `boat/hull`",
         ),
     )
     good = (
@@ -75,5 +75,5 @@ class ForgottenPrefix(Rule):
         fix = replace(problem.span, problem.near, f"write `{problem.near}`", unsafe=True)
         message = f"the macro defines `{problem.near}`, not `{problem.name}`"
         if isinstance(problem, problems.NameByDefault):
-            message = f"`{problem.name}` is `{problem.near}` by default only"
+            message = f"the name `{problem.near}` is not always `{problem.name}`"
         yield self.diagnostic(problem.span, message, labels=labels, fix=fix)

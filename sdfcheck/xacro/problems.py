@@ -85,7 +85,7 @@ class ForgottenPrefix(Oversight):
 
 
 class NameByDefault(Oversight):
-    """A name is that of a link or joint, at ``other``, only with the default of an argument; ``near`` has that."""
+    """A name is that of a link or joint, at ``other``, at most by the default of an argument in ``near``."""
 
 
 class EmptiedBlock(Oversight):

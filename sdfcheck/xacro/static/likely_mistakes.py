@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from sdfcheck.files.library import library_of
 from sdfcheck.formats import history
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.urdf import schema as table
 from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
     BUILT_IN,
@@ -59,7 +61,7 @@ from sdfcheck.xacro.static.definitions import (
     reading,
     visible_definitions,
 )
-from sdfcheck.xacro.static.project import passed
+from sdfcheck.xacro.static.project import includers, name_endings, passed
 
 # Elements of xacro and calls of macros that lack the prefix ``xacro:``.
 
@@ -126,12 +128,16 @@ _COMPARED_TRUTH = re.compile(
 _TRUTHS = frozenset(("true", "false", "True", "False"))
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<slash>/?)(?P<rest>\w+)")
-_LED = re.compile(r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<rest>/?\w+)")
+_LED = re.compile(
+    r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<slash>/?)(?P<rest>.+)"
+)
 _DOUBLED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}[/_]?\$\{\s*(?P=parameter)\s*\}")
 _ASKED = re.compile(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
 _SLASH = re.compile(r"[})]/")
 _LINK = re.compile(r"^(?:parent|child)$|_link$|^link_")
 """Parameters of macros that are called so name links."""
+_MOST_INCLUDERS = 8
+"""So many files that include one are read for the names that it may use."""
 _OF_GAZEBO = frozenset(("bodyname", "jointname", "linkname"))
 """Parameters of plugins that Gazebo resolves itself; frames of ROS may get a prefix."""
 _ENDS = frozenset((("parent", "link"), ("child", "link"), ("mimic", "joint"), ("gazebo", "reference")))
@@ -372,51 +378,98 @@ def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversig
 
 
 def _names_by_default(read: Reading, visible: Definitions) -> Iterator[Oversight]:
-    """The names that are those of links and joints only while an argument has its default."""
-    arguments = {name: text for each in visible.readings for name, text in each.arguments.items()}
-    if not arguments:
-        return
-    properties = {
+    """The names that are those of links and joints only while an argument has its default, or not at all."""
+    uses = list(_possible_uses(read))
+    around = _with_includers(read.document, visible) if uses else []
+    named = {
+        element: (element.attributes.get("name", ""), macro)
+        for each in around
+        for element, macro in each.elements
+        if element.name in {"link", "joint"}
+    }
+    defined = dict(reversed([*_defined_by_default(named, around)]))
+    plain = {_key(*each) for each in named.values()}
+    for value, element, macro in uses:
+        name = value.text.strip()
+        home = defined.get(_key(name, macro))
+        if home is None or _key(name, macro) in plain:
+            continue
+        near = home.attributes["name"]
+        conditions = " ".join(each.attributes.get("value", "") for each in element.around)
+        depends = not set(_WORD.findall(near)).isdisjoint({*_WORD.findall(conditions)} - {"arg"})
+        if not depends and not (_is_frame(element, value) and near.endswith(f"/{name}")):
+            yield NameByDefault(value.span, name, _named(home), near)
+
+
+_Key = tuple[str, Element | None]
+"""A name, and the macro in which it has a meaning, if that is not everywhere the same."""
+
+
+def _key(name: str, macro: Element | None) -> _Key:
+    return name, None if is_literal(name) else macro
+
+
+def _defined_by_default(
+    named: Mapping[Element, tuple[str, Element | None]], around: Sequence[Reading]
+) -> Iterator[tuple[_Key, Element]]:
+    """What the names of links and joints that ask for an argument are by its default, or else without it."""
+    arguments = {name: text for each in around for name, text in each.arguments.items()}
+    taken = {each.element: {one.name for one in each.parameters} for read in around for each in read.macros}
+    asking = {
         found.name: match[1]
-        for each in visible.readings
+        for each in around
         for found in each.properties
         if (match := _ASKED.fullmatch(found.element.attributes.get("value", ""))) is not None
     }
-    named = [
-        (element, element.attributes.get("name", ""))
-        for each in visible.readings
-        for element, _ in each.elements
-        if element.name in {"link", "joint"}
-    ]
-    defined: dict[str, Element] = {}
-    for element, name in named:
+    for element, (name, macro) in named.items():
         match = _LED.fullmatch(name)
-        asked = "" if match is None else match["arg"] or properties.get(match["property"], "")
-        if match is not None and asked in arguments and is_literal(arguments[asked]):
-            defined.setdefault(arguments[asked] + match["rest"], element)
-    plain = {name for _, name in named} if defined else ()
-    for element, _ in read.elements if defined else ():
-        for value in (*_references(element), *_given_links(element)):
+        if match is None or (macro is not None and match["property"] in taken[macro]):
+            continue
+        asked = match["arg"] or asking.get(match["property"], "")
+        if is_literal(text := arguments.get(asked, "$(arg")):
+            is_known = is_literal(match["rest"])
+            yield _key((text + match["slash"]) * is_known + match["rest"], macro), element
+
+
+def _possible_uses(read: Reading) -> Iterator[tuple[Value, Element, Element | None]]:
+    """The names of links and joints that may be those of others that begin with an expression."""
+    endings = name_endings(read.document)
+    for element, macro in read.elements if endings else ():
+        for value in _uses(element):
             name = value.text.strip()
-            home = defined.get(name)
-            if home is None or name in plain or is_conditional(element):
-                continue
-            near = home.attributes["name"]
-            if not (_is_frame(element, value) and _SLASH.search(near)):
-                yield NameByDefault(value.span, name, _named(home), near)
+            if name.endswith(endings) and (is_literal(name) or name in endings):
+                yield value, element, macro
+
+
+def _uses(element: Element) -> Iterator[Value]:
+    """The names of links and joints that an element writes, or the call of a macro gives."""
+    yield from _references(element)
+    if element.name in {"parent", "child"} and element.content:
+        yield element.own_value
+    if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] not in KEYWORDS:
+        for name in element.attributes:
+            if _LINK.search(name) and (value := element.attribute(name)) is not None:
+                yield value
+
+
+def _with_includers(document: Document, visible: Definitions) -> list[Reading]:
+    """A file and those that it includes, and the same of those that include it, directly or not."""
+    seen = {each.document.path: each for each in visible.readings}
+    library, waiting, done = library_of(document), [document], {document.path}
+    while library is not None and waiting and len(done) <= _MOST_INCLUDERS:
+        for path in includers(waiting.pop(0)):
+            found = library.document(path, Kind.XACRO, document) if path not in done else None
+            done.add(path)
+            if found is not None and found.root is not None:
+                waiting.append(found)
+                for each in visible_definitions(found).readings:
+                    seen.setdefault(each.document.path, each)
+    return list(seen.values())
 
 
 def _is_frame(element: Element, value: Value) -> bool:
     """Is a name of a plugin perhaps that of a frame of ROS, to which programs add a prefix?"""
     return element.name.replace("_", "").lower() not in _OF_GAZEBO and value.attribute is None
-
-
-def _given_links(element: Element) -> Iterator[Value]:
-    """The names of links that the call of a macro gives."""
-    if element.name.startswith(PREFIX) and element.name[len(PREFIX) :] not in KEYWORDS:
-        for name in element.attributes:
-            if _LINK.search(name) and (value := element.attribute(name)) is not None:
-                yield value
 
 
 def _doubled_prefixes(document: Document, read: Reading) -> Iterator[Oversight]:

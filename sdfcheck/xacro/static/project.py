@@ -30,6 +30,10 @@ _ARGUMENT = re.compile(
     r"<xacro:(?:arg|property)\b[^<>]*?\s(?:default|value)\s*=\s*[\"']([^\"'<>]+\.\w+)[\"']"
 )
 """An argument or property may hold the name of a file that is included."""
+_LED = re.compile(
+    r"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"'](?:\$\{\s*\w+\s*\}|\$\(arg\s+\w+\s*\))/?([^\"'<>]+)[\"']"
+)
+"""A link or joint whose name begins with an expression."""
 _GLOB = re.compile(r"[*?\[]")
 _LITERAL = re.compile(r"\w")
 """A path of which more is written than the ending, so that not every file may be meant."""
@@ -51,7 +55,7 @@ class _Filename(NamedTuple):
 class _Project:
     """The names in the xacro files of a project: those that occur, and those that are defined."""
 
-    __slots__ = ("_written", "definers", "filenames", "is_whole", "names", "paths", "patterns")
+    __slots__ = ("_written", "definers", "endings", "filenames", "is_whole", "names", "paths", "patterns")
 
     def __init__(self, packages: Packages) -> None:
         self.filenames: dict[str, list[_Filename]] = {}
@@ -60,6 +64,7 @@ class _Project:
         """The files that define a macro, or a property outside of macros: ``("macro", name)``."""
         self._written: dict[str, frozenset[str]] = {}
         names: set[str] = set()
+        endings: set[str] = set()
         self.paths = tuple(packages.files(".xacro", FILE_LIMIT))
         self.is_whole = len(self.paths) < FILE_LIMIT
         for path in self.paths:
@@ -79,9 +84,12 @@ class _Project:
                     if own == "macro" or not depth:
                         self.definers.setdefault((own, name), []).append(path)
                 depth += (own == "macro") - match[0].startswith("</")
+            endings.update(_LED.findall(text))
             for match in _PARAMETERS.finditer(text):
                 names.update(_WORD.findall(match[1] or match[2] or ""))
         self.names = frozenset(names)
+        self.endings = tuple(sorted(endings))
+        """The names of links and joints that begin with an expression, without that."""
 
     def of(self, name: str) -> list[_Filename]:
         """The paths in include elements that may be those of a file of this name."""
@@ -155,6 +163,12 @@ def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:
     texts = (document.source.text, *map(text_of, includers(document)))
     values = (given.search(found[1]) for text in texts for found in call.finditer(text))
     return frozenset((value[1] or value[2] or "").strip() if value else "" for value in values)
+
+
+def name_endings(document: Document) -> tuple[str, ...]:
+    """The names of links and joints in the document's project that begin with an expression, each without that."""
+    library = library_of(document)
+    return () if library is None else _project(library, document).endings
 
 
 def project_names(document: Document) -> frozenset[str]:

@@ -83,3 +83,32 @@ def test_the_file_to_include_is_named_in_a_part_that_an_expansion_read(
     (found,) = sdfcheck.lint(Path("r.urdf.xacro"), isolated=True, select=["XAC003"]).diagnostics
     assert found.message == "macro `bar` is not defined here: `utils.xacro` defines it, and is not included"
     assert [(each.span.source.path.name, each.span.begin.line) for each in found.labels] == [("arm.xacro", 1)]
+
+
+_BOAT = '<xacro:arg name="ns" default="boat"/><xacro:property name="ns" value="$(arg ns)"/><link name="${ns}/hull"/>'
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [
+        ('<gazebo><plugin name="p" filename="p.so"><bodyName>boat/hull</bodyName></plugin></gazebo>', True),
+        ('<gazebo><plugin name="p" filename="p.so"><bodyName>hull</bodyName></plugin></gazebo>', False),
+        ('<xacro:if value="${ns == \'boat\'}"><gazebo reference="boat/hull"/></xacro:if>', False),
+        ('<xacro:macro name="hook" params="parent"/><xacro:hook parent="boat/hull"/>', True),
+        (
+            '<xacro:macro name="m" params="n"><link name="${ns}/${n}"/><gazebo reference="${n}"/></xacro:macro>',
+            True,
+        ),
+        (
+            '<xacro:macro name="m" params="ns"><link name="${ns}/a"/></xacro:macro><gazebo reference="a"/>',
+            False,
+        ),
+        ('<link name="boat/hull"/><gazebo reference="boat/hull"/>', False),
+    ],
+)
+def test_a_name_that_the_default_of_an_argument_makes(folder: Path, content: str, *, expected: bool) -> None:
+    robot = f'<robot name="r" {XACRO}>{{}}</robot>'
+    (folder / "part.xacro").write_text(robot.format(content))
+    (folder / "boat.urdf.xacro").write_text(robot.format(_BOAT + '<xacro:include filename="part.xacro"/>'))
+    run = sdfcheck.lint(folder / "part.xacro", isolated=True, select=["XAC029"])
+    assert bool(run.diagnostics) is expected
