@@ -412,7 +412,7 @@ def _key(name: str, macro: Element | None) -> _Key:
 def _defined_by_default(
     named: Mapping[Element, tuple[str, Element | None]], around: Sequence[Reading]
 ) -> Iterator[tuple[_Key, Element]]:
-    """What the names of links and joints that ask for an argument are by its default, or else without it."""
+    """The names of links and joints that ask for an argument, with its default, or else without it."""
     arguments = {name: text for each in around for name, text in each.arguments.items()}
     taken = {each.element: {one.name for one in each.parameters} for read in around for each in read.macros}
     asking = {
