@@ -92,6 +92,10 @@ class EmptiedBlock(Oversight):
     """A call gives an element without content, and the parameter takes its content only."""
 
 
+class ReboundPrefix(Oversight):
+    """A prefix is bound to another name by a file that this one includes, at ``other``."""
+
+
 class UnusualXacroNamespace(Oversight):
     """The prefix is bound to a name that is nearly the customary one, ``near``."""
 

@@ -37,6 +37,7 @@ from sdfcheck.xacro.problems import (
     OverwrittenProperty,
     ParameterFlaw,
     PrefixedMacroName,
+    ReboundPrefix,
     RedefinedMacro,
     RedefinedSymbol,
     TruthComparedWithText,
@@ -163,6 +164,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _doubled_prefixes(document, read)
     yield from _blocks(read, visible)
     yield from _namespace(document)
+    yield from _rebound_prefixes(document, visible)
     if knows_all(document):
         yield from _unused(document, read, visible)
 
@@ -517,13 +519,30 @@ def _blocks(read: Reading, visible: Definitions) -> Iterator[Oversight]:
 
 
 def _namespace(document: Document) -> Iterator[Oversight]:
+    span = _bindings(document).get("xmlns:xacro")
+    if span is not None and not _CUSTOMARY.match(span.text) and nearest(span.text, (_NAMESPACE,)):
+        yield UnusualXacroNamespace(span, span.text, near=_NAMESPACE)
+
+
+def _rebound_prefixes(document: Document, visible: Definitions) -> Iterator[Oversight]:
+    """The prefixes of the root that an included file binds to another name: xacro keeps the first, with a warning."""
+    own = _bindings(document)
+    own.pop("xmlns:xacro", None)
+    for each in visible.readings if own else ():
+        for name, other in _bindings(each.document).items() if each.document is not document else ():
+            if name in own and other.text != own[name].text:
+                yield ReboundPrefix(own.pop(name), name.partition(":")[2], other)
+
+
+def _bindings(document: Document) -> dict[str, Span]:
+    """The declarations of prefixes on the root, each with the place of its value."""
     assert document.root is not None
     tag = document.spans.start_tag(document.root)
-    for attribute in tag.attributes:
-        if attribute.name == "xmlns:xacro":
-            span = document.source.span(attribute.value_start, attribute.value_end)
-            if not _CUSTOMARY.match(span.text) and nearest(span.text, (_NAMESPACE,)):
-                yield UnusualXacroNamespace(span, span.text, near=_NAMESPACE)
+    return {
+        attribute.name: document.source.span(attribute.value_start, attribute.value_end)
+        for attribute in tag.attributes
+        if attribute.name.startswith("xmlns:")
+    }
 
 
 def _unused(document: Document, read: Reading, visible: Definitions) -> Iterator[Oversight]:
