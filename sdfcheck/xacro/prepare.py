@@ -127,7 +127,7 @@ def prepare(
     outcomes = [parts.get(index, whole) for index, whole in enumerate(expansions)]
     if outcomes and all(map(_lacks_packages_only, outcomes)):
         found = list(_unreached(found, document, shown))
-    if not any(map(_stops, found)):
+    if not any(map(stops, found)):
         known = [*expansions, *(part for part in parts.values() if part.document is not None)]
         failures = [problem for each in known for problem in each.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
@@ -200,7 +200,7 @@ def _unreached(
         yield problem if element >= 0 and starts[element] in left else dormant(problem)
 
 
-def _stops(problem: Problem) -> bool:
+def stops(problem: Problem) -> bool:
     """Whether an expansion that reaches a problem fails for it, in words that do not say so."""
     if getattr(problem, "is_dormant", False):
         return False

@@ -52,6 +52,12 @@ def test_a_failure_is_reported_with_its_place(folder: Path, capfd: pytest.Captur
     assert "package `arm` is not found" in err
 
 
+def test_the_file_explains_a_failure_as_lint_does(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    (folder / "bare.xacro").write_text('<robot name="r" xmlns:xacro="x"><xacro:arg name="n"/></robot>')
+    assert main(["expand", "bare.xacro"]) == 1
+    assert "error[XAC011]: `xacro:arg` has no `default`" in capfd.readouterr().err
+
+
 @pytest.mark.parametrize(
     "arguments", [["none.xacro"], ["r.xacro", "name=r"], ["r.xacro", "--package", "arm"]]
 )
