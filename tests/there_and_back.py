@@ -34,7 +34,10 @@ _REPORTED_BY = (
     ("link: visual .*/plugin .*", {LossKind.DROPPED_PLUGIN}),
     ("link: (visual|collision)( `.*` shape)?", {LossKind.UNSUPPORTED_GEOMETRY}),
     ("link: name of a (visual|collision)", {LossKind.KEPT_AS_EXTENSION, LossKind.RENAMED}),
-    ("link: (visual|collision)( `.*`)? file", {LossKind.CHANGED_URI}),
+    # Of a model that is merged, a file is named from the folder of the result.
+    ("link: (visual|collision)( `.*`)? file", {LossKind.CHANGED_URI, LossKind.MERGED_MODEL}),
+    ("link: sensor .*/gz_frame_id", {LossKind.MERGED_MODEL}),
+    ("link: static|model: selfCollide", {LossKind.DROPPED_ELEMENT}),
     ("link: frame", {LossKind.SHIFTED_LINK_FRAME}),
     ("link: inertial", {LossKind.MASSLESS_LINK}),
     ("(link|joint|frame) renamed", {LossKind.MERGED_MODEL, LossKind.RENAMED}),
