@@ -208,6 +208,21 @@ class Packages:
                     return
                 yield Path(path)
 
+    def models(self, name: str, near: str) -> list[str]:
+        """The project's folders of a model, the nearest to a folder first."""
+        found = (
+            folder
+            for folder in self._folders_below(self.root)
+            if os.path.basename(folder) == name and "model.config" in names_in(folder)
+        )
+        return sorted(
+            found,
+            key=lambda folder: (
+                -len(os.path.commonpath((os.path.abspath(folder), os.path.abspath(near)))),
+                folder,
+            ),
+        )
+
     def _files_beside(self) -> Iterator[Path]:
         for name in names_in(self.root)[:FOLDER_LIMIT]:
             path = self.root / name

@@ -165,13 +165,16 @@ def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") 
 
 
 def _models(document: Document, name: str, around: _Surroundings) -> Iterator[str]:
-    if (library := library_of(document)) is not None:
-        for folder in library.model_folders:
-            yield os.path.join(folder, name)
+    library = library_of(document)
+    for folder in library.model_folders if library is not None else ():
+        yield os.path.join(folder, name)
     # The usual layout needs no setting: models side by side, or in a `models` folder near by.
     for above in around.above:
         yield os.path.join(above, name)
         yield os.path.join(above, "models", name)
+    if library is not None and not library.search.is_alone:
+        # To the models of other packages of the project, launch files point Gazebo.
+        yield from library.packages(document.path).models(name, around.folder)
 
 
 def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:

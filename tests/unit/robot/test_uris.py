@@ -10,7 +10,7 @@ import pytest
 from sdfcheck.files.uris import locate
 from sdfcheck.robot.includes.uri_spelling import UriFault, is_absolute, misspelling, other_case
 from sdfcheck.source.document import Value, read
-from tests.unit.robot.files import MODEL, opened, write
+from tests.unit.robot.files import ARM, CONFIG, MODEL, opened, write
 
 
 def value(text: str) -> Value:
@@ -51,6 +51,17 @@ def test_found(tmp_path: Path, uri: str, found: str) -> None:
     location = locate(opened(home / "worlds/main.sdf", home / "elsewhere"), uri)
     assert location.path is not None
     assert os.path.samefile(location.path, home / found)
+
+
+def test_a_model_of_another_package_of_the_project_is_found_the_nearest_first(tmp_path: Path) -> None:
+    for workspace in ("a", "b"):
+        write(tmp_path / workspace / "src/robots/models/arm", {"model.config": CONFIG, "arm.sdf": ARM})
+        write(tmp_path / workspace / "src/worlds/models", {"main.sdf": MODEL})
+    write(tmp_path, {".git/HEAD": "", "c/lamp/lamp.sdf": ""})
+    for workspace in ("b", "a"):
+        world = opened(tmp_path / workspace / "src/worlds/models/main.sdf")
+        assert locate(world, "model://arm").path == tmp_path / workspace / "src/robots/models/arm"
+    assert locate(world, "model://lamp/lamp.sdf").path is None, "without model.config it is a folder only"
 
 
 @pytest.mark.parametrize("variable", ["GZ_SIM_RESOURCE_PATH", "SDF_PATH", "GAZEBO_MODEL_PATH"])
