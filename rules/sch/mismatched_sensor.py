@@ -38,11 +38,19 @@ class MismatchedSensor(Rule):
             '<sensor name="s" type="«camera»"><update_rate>30</update_rate></sensor>',
             says="sensor `s` of type `camera` has no `camera`, so it runs on defaults",
         ),
+        Bad(
+            '<sensor name="s" type="«gpu_ray»"/>',
+            says="sensor `s` of type `gpu_ray` has no `ray`, so it runs on defaults",
+        ),
     )
     good = (
         Good('<sensor name="s" type="imu"/>', why="an IMU without settings is ideal"),
         Good(
             f'<sensor name="s" type="gpu_lidar"><ray>{SCAN}</ray></sensor>', why="the older name is read too"
+        ),
+        Good(
+            '<sensor name="s" type="ray"><plugin filename="liblivox.so" name="p"><ray/></plugin></sensor>',
+            why="the plugin makes the scan",
         ),
         Good(
             '<sensor name="s" type="custom"><camera/></sensor>', why="nobody knows what a custom sensor reads"
@@ -57,9 +65,10 @@ class MismatchedSensor(Rule):
         return wrong_settings(sensor) is not None or lacks_settings(sensor)
 
     def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
-        kind, expected, wrong = sensor.type_value, sensor.settings_names[0], wrong_settings(sensor)
+        kind, names, wrong = sensor.type_value, sensor.settings_names, wrong_settings(sensor)
         if kind is None:
             return
+        expected = next((name for name in names if sensor.type.endswith(name)), names[0])
         subject = f"{sensor.title} of type `{sensor.type}`"
         if wrong is None:
             yield self.diagnostic(kind, f"{subject} has no `{expected}`, so it runs on defaults")
@@ -75,4 +84,6 @@ def wrong_settings(sensor: Sensor) -> Element | None:
 
 
 def lacks_settings(sensor: Sensor) -> bool:
-    return sensor.settings_names[0] in NEED_SETTINGS and not sensor.given_settings
+    if sensor.settings_names[0] not in NEED_SETTINGS or sensor.given_settings:
+        return False
+    return not any(plugin.element.has(name) for plugin in sensor.plugins for name in sensor.settings_names)
