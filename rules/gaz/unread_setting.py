@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, GazeboBlock, Good, Rule, Severity
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Element, GazeboBlock, Good, Rule, Severity
 
 ARM = '<link name="arm"/><joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>'
 WHAT = {"link": "a link", "joint": "a joint", "robot": "the robot"}
@@ -33,6 +33,10 @@ class UnreadSetting(Rule):
             says="`turnGravityOff` is a setting of a link, not of a joint",
         ),
         Bad(
+            "<gazebo><«mu1»>0.5</mu1><mu2>0.5</mu2><kp>1e6</kp></gazebo>",
+            says="`mu1` and 2 more are settings of a link, not of the robot: they are dropped",
+        ),
+        Bad(
             f'{ARM}<gazebo reference="j"><«stopKp»>1e6</stopKp></gazebo>',
             says="`stopKp` was read by older releases only",
         ),
@@ -48,11 +52,18 @@ class UnreadSetting(Rule):
         return any(block.unread_settings)
 
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
+        misplaced: dict[str, list[Element]] = {}
         for element, place in block.unread_settings:
-            message = f"`{element.name}` was read by older releases only"
             if place:
-                about = "robot" if not block.reference else "joint" if block.link is None else "link"
-                message = (
-                    f"`{element.name}` is a setting of {WHAT[place]}, not of {WHAT[about]}: it is dropped"
-                )
-            yield self.diagnostic(element, message, severity=None if place else Severity.INFO)
+                misplaced.setdefault(place, []).append(element)
+            else:
+                message = f"`{element.name}` was read by older releases only"
+                yield self.diagnostic(element, message, severity=Severity.INFO)
+        about = "robot" if not block.reference else "joint" if block.link is None else "link"
+        for place, elements in misplaced.items():
+            name, *others = dict.fromkeys(element.name for element in elements)
+            where = f"of {WHAT[place]}, not of {WHAT[about]}"
+            message = f"`{name}` is a setting {where}: it is dropped"
+            if others:
+                message = f"`{name}` and {len(others)} more are settings {where}: they are dropped"
+            yield self.diagnostic(elements[0], message)
