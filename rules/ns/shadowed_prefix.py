@@ -1,24 +1,14 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity, problems
+from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity
 from sdfcheck_rules.ns.soundness import is_sound
-
-ROBOT = (
-    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro" xmlns:p="http://example.org/p">'
-    '<xacro:include filename="part.xacro"/><link name="a"><p:mark/></link></robot>'
-)
-PART = (
-    '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" xmlns:p="http://example.org/{}">'
-    '<xacro:macro name="m"><p:mark/></xacro:macro></robot>'
-)
 
 
 class ShadowedPrefix(Rule):
     """A prefix is bound to another name inside its own scope, or two prefixes to one name.
 
     XML allows both. libsdformat and Drake go by the prefix alone, so that two meanings
-    of one prefix, or two spellings of one meaning, are a mistake in waiting. Of a file that it includes, xacro
-    takes the elements and drops the other name of their prefix, with a warning.
+    of one prefix, or two spellings of one meaning, are a mistake in waiting.
     """
 
     code = "NS011"
@@ -26,7 +16,6 @@ class ShadowedPrefix(Rule):
     severity = Severity.WARNING
     remedy = "Bind each prefix to one name, and each name to one prefix, on the root element."
     looks_at = (PrefixDeclaration,)
-    explains = (problems.ReboundPrefix,)
 
     bad = (
         Bad(
@@ -39,12 +28,6 @@ class ShadowedPrefix(Rule):
             '<world name="w" p:kind="2d" q:size="3"/></sdf>',
             says="prefix `q` is bound to the same namespace as `p`",
         ),
-        Bad(
-            ROBOT.replace("http://example.org/p", "«http://example.org/p»"),
-            file="robot.urdf.xacro",
-            files={"part.xacro": PART.format("q")},
-            says="prefix `p` has another name in part.xacro, which this file includes",
-        ),
     )
     good = (
         Good(
@@ -52,7 +35,6 @@ class ShadowedPrefix(Rule):
             '<light name="l" type="point" xmlns:p="https://example.org/p" p:kind="2d"/></world></sdf>',
             why="declared again with the same name",
         ),
-        Good(ROBOT, file="robot.urdf.xacro", files={"part.xacro": PART.format("p")}),
     )
 
     @staticmethod
@@ -61,13 +43,7 @@ class ShadowedPrefix(Rule):
         is_rival = declaration.twin is not None if outer is None else outer.namespace != declaration.namespace
         return is_rival and is_sound(declaration)
 
-    def check(self, declaration: PrefixDeclaration | problems.ReboundPrefix) -> Iterator[Diagnostic]:
-        if isinstance(declaration, problems.ReboundPrefix):
-            assert declaration.other is not None
-            file = declaration.other.source.path.name
-            message = f"prefix `{declaration.name}` has another name in {file}, which this file includes"
-            yield self.diagnostic(declaration.span, message, labels={declaration.other: "the other name"})
-            return
+    def check(self, declaration: PrefixDeclaration) -> Iterator[Diagnostic]:
         outer, twin, prefix = declaration.outer, declaration.twin, declaration.prefix
         if outer is not None:
             message = f"prefix `{prefix}` gets another name inside its own scope"

@@ -168,7 +168,9 @@ def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:
 def name_endings(document: Document) -> tuple[str, ...]:
     """The names of links and joints in the document's project that begin with an expression, each without that."""
     library = library_of(document)
-    return () if library is None else _project(library, document).endings
+    if library is None or library.search.is_alone:
+        return tuple(_LED.findall(document.source.text))
+    return _project(library, document).endings
 
 
 def project_names(document: Document) -> frozenset[str]:
