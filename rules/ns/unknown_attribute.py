@@ -31,6 +31,10 @@ class UnknownAttribute(Rule):
             unsafe=True,
             says="unknown attribute `atached_to` of frame `f`; did you mean `attached_to`?",
         ),
+        Bad(
+            '<link name="arm" «gravity»="false" self_collide="true"/>',
+            says="`gravity` and 1 more of link `arm` are elements, not attributes",
+        ),
         Bad('<link name="arm" «color»="red"/>', says="unknown attribute `color` of link `arm`"),
         Bad(
             '<frame name="f" attached_to="base" «atached_to»="base"/>',
@@ -56,6 +60,15 @@ class UnknownAttribute(Rule):
         attribute = element.attribute(name)
         place = attribute.name_span if attribute is not None else element.span
         message = f"unknown attribute `{name}` of {element.title}"
+        if problem.is_child:
+            message = f"`{name}` of {element.title} is an element, not an attribute"
+            if problem.others:
+                message = (
+                    f"`{name}` and {len(problem.others)} more of {element.title} are elements, not attributes"
+                )
+            advice = f"write `<{name}>{attribute.text}</{name}>` in it" if attribute is not None else None
+            yield self.diagnostic(place, message, help=advice)
+            return
         if problem.more:
             message += f", and {problem.more} more"
         severity = Severity.ERROR if problem.needed else None

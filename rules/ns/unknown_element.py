@@ -1,6 +1,20 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, rename
+from sdfcheck import (
+    IN_LINK,
+    IN_MODEL,
+    Bad,
+    Diagnostic,
+    Element,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    problems,
+    rename,
+    replace,
+)
 
 
 class UnknownElement(Rule):
@@ -32,6 +46,12 @@ class UnknownElement(Rule):
             says="unknown element `inertail` in link `arm`; did you mean `inertial`?",
         ),
         Bad("<«self_colide»/>", fixed="<self_collide/>", unsafe=True, says="did you mean `self_collide`?"),
+        Bad(
+            '<link name="arm"><«origin» xyz="0 0 1" rpy="0 1.57 0"/></link>',
+            fixed='<link name="arm"><pose>0 0 1 0 1.57 0</pose></link>',
+            unsafe=True,
+            says="unknown element `origin` in link `arm`, which is `pose` in SDFormat",
+        ),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
     )
     good = (
@@ -52,6 +72,21 @@ class UnknownElement(Rule):
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
         severity = Severity.ERROR if problem.refused else None
+        if element.name == "origin" and guess is None:
+            message += ", which is `pose` in SDFormat"
+            yield self.diagnostic(element, message, fix=_as_pose(element), severity=severity)
+            return
         advice = "give it a prefix if it is your own" if guess is None else None
         fix = rename(guess, element)
         yield self.diagnostic(element, message, meant=guess, fix=fix, help=advice, severity=severity)
+
+
+def _as_pose(element: Element) -> Fix | None:
+    """The fix that writes an `origin` of URDF as a `pose`."""
+    source, given = element.span.source, element.attributes
+    tag = re.compile(r"<origin\s[^<>]*/>").match(source.text, element.span.start - 1)
+    numbers = [*given.get("xyz", "0 0 0").split(), *given.get("rpy", "0 0 0").split()]
+    if tag is None or len(numbers) != 6 or not given.keys() <= {"xyz", "rpy"}:
+        return None
+    text = f"<pose>{' '.join(numbers)}</pose>"
+    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)

@@ -1,3 +1,4 @@
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 from sdfcheck import (
@@ -6,11 +7,14 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
+    Fix,
     Good,
     Rule,
     Severity,
     is_harmless,
     problems,
+    replace,
     suggest,
     unreadable,
     warns,
@@ -101,6 +105,13 @@ class MalformedValue(Rule):
         ),
         Bad("<geometry><mesh><«uri»/></mesh></geometry>", scaffold=IN_COLLISION, says="`uri` is empty"),
         Bad("<«mass»></mass>", scaffold=INERTIAL, says="`mass` is empty, so 1.0 is taken"),
+        Bad(
+            '<«mass» value="2"/>',
+            fixed="<mass>2</mass>",
+            unsafe=True,
+            scaffold=INERTIAL,
+            says="`mass` is empty, and its attribute `value` is not read, so 1.0 is taken",
+        ),
     )
     good = (
         Good("<gravity>TRUE</gravity>", why="any case is read"),
@@ -146,12 +157,25 @@ class MalformedValue(Rule):
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:
         """No value at all, for which a default is taken if the file is read."""
         message = f"`{problem.value.attribute or problem.value.element.name}` is empty"
-        parent = problem.value.element.parent
+        parent, fix = problem.value.element.parent, None
+        if problem.attribute is not None:
+            message += f", and its attribute `{problem.attribute}` is not read"
+            fix = _as_text(problem.value.element, problem.attribute)
         if parent is not None and parent.name == "include" and not problem.reading.refused:
             return
         if problem.reading.refused:
-            yield self.diagnostic(problem.span, message, affects=unreadable(problem.value))
+            yield self.diagnostic(problem.span, message, fix=fix, affects=unreadable(problem.value))
             return
         message += f", so {problem.definition.default} is taken"
         affects = dict.fromkeys(Consumer, warns("takes the default"))
-        yield self.diagnostic(problem.span, message, severity=Severity.WARNING, affects=affects)
+        yield self.diagnostic(problem.span, message, fix=fix, severity=Severity.WARNING, affects=affects)
+
+
+def _as_text(element: Element, name: str) -> Fix | None:
+    """The fix that writes the only attribute of an empty element as its text."""
+    source, value = element.span.source, element.attributes[name]
+    tag = re.compile(rf"<{re.escape(element.name)}\s[^<>]*/>").match(source.text, element.span.start - 1)
+    if tag is None or "<" in value or "&" in value:
+        return None
+    text = f"<{element.name}>{value}</{element.name}>"
+    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)

@@ -15,7 +15,6 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    Value,
     lacking,
     problems,
     refuses,
@@ -75,6 +74,12 @@ class MissingElement(Rule):
             says="`sphere` has no `radius`, which is an element there, not an attribute, so the default 1 applies",
         ),
         Bad(
+            '<geometry><cylinder «radius»="0.5" length="2"/></geometry>',
+            fixed="<geometry><cylinder><radius>0.5</radius><length>2</length></cylinder></geometry>",
+            unsafe=True,
+            says="`radius` and 1 more of `cylinder` are elements, not attributes, so the defaults apply",
+        ),
+        Bad(
             "<geometry><box><size>1 1 1</size></box></geometry>"
             "<material><script>«Gazebo/Red»</script></material>",
             scaffold=IN_VISUAL,
@@ -127,11 +132,16 @@ class MissingElement(Rule):
         elif problem.is_attribute and (attribute := problem.element.attribute(problem.child)) is not None:
             place = attribute.name_span
             message += ", which is an element there, not an attribute"
-            fix = _as_element(problem.element, attribute)
+            if problem.attributes:
+                count = len(problem.attributes)
+                message = f"`{problem.child}` and {count} more of {problem.element.title} are elements, not attributes"
+            fix = _as_elements(problem.element, {problem.child, *problem.attributes})
         if problem.refused:
             yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
             return
-        if problem.default is not None:
+        if problem.attributes:
+            message += ", so the defaults apply"
+        elif problem.default is not None:
             message += f", so the default {problem.default} applies"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         if problem.is_attribute:
@@ -139,12 +149,16 @@ class MissingElement(Rule):
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
 
 
-def _as_element(element: Element, attribute: Value) -> Fix | None:
-    """The fix that writes the only attribute of an empty element as an element."""
-    source, name = element.span.source, attribute.attribute
-    tag = re.compile(rf"<{re.escape(element.name)}\s+{name}\s*=\s*([\"'])([^\"'<&]*)\1\s*/>")
-    match = tag.match(source.text, element.span.start - 1)
-    if match is None:
+def _as_elements(element: Element, names: set[str]) -> Fix | None:
+    """The fix that writes the attributes of an empty element, if they are these, as elements."""
+    source, given = element.span.source, dict(element.attributes)
+    tag = re.compile(rf"<{re.escape(element.name)}\s[^<>]*/>").match(source.text, element.span.start - 1)
+    if (
+        tag is None
+        or given.keys() != names
+        or any(mark in value for value in given.values() for mark in "<&")
+    ):
         return None
-    text = f"<{element.name}><{name}>{match[2]}</{name}></{element.name}>"
-    return replace(source.span(*match.span()), text, f"write `{text}`", unsafe=True)
+    inner = "".join(f"<{name}>{value}</{name}>" for name, value in given.items())
+    text = f"<{element.name}>{inner}</{element.name}>"
+    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)

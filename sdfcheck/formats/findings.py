@@ -16,6 +16,7 @@ from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import (
     DeprecatedElement,
+    MalformedValue,
     MissingElement,
     RemovedElement,
     RepeatedElement,
@@ -161,21 +162,53 @@ def folded(found: list[object]) -> list[object]:
 
 
 def folded_attributes(found: list[object]) -> list[object]:
-    """The problems, with one for a child that is missing and an attribute that has its name."""
-    lacking = {(each.element, each.child) for each in found if isinstance(each, MissingElement)}
-    written = {
-        key
+    """The problems, with one for all attributes of an element that should be children, missing ones included."""
+    written: dict[Element, list[str]] = {}
+    for each in found:
+        if isinstance(each, UnknownAttribute) and each.is_child:
+            written.setdefault(each.element, []).append(each.attribute)
+    alike: dict[Element, list[UnknownAttribute | MissingElement]] = {}
+    for each in found if written else ():
+        is_alike = isinstance(each, UnknownAttribute) and each.is_child
+        if is_alike or (isinstance(each, MissingElement) and each.child in written.get(each.element, ())):
+            assert isinstance(each, UnknownAttribute | MissingElement)
+            alike.setdefault(each.element, []).append(each)
+    rest = {id(each) for group in alike.values() for each in group}
+    return [each for each in found if id(each) not in rest] + [
+        _as_one(group, written[element]) for element, group in alike.items()
+    ]
+
+
+def _as_one(group: list[UnknownAttribute | MissingElement], names: list[str]) -> object:
+    """The attributes of an element that should be children, as one problem."""
+    missing = [each for each in group if isinstance(each, MissingElement)]
+    if missing:
+        others = tuple(name for name in names if name != missing[0].child)
+        refused = any(each.refused for each in missing)
+        return missing[0].changed(is_attribute=True, attributes=others, refused=refused)
+    return group[0].changed(others=tuple(names[1:]))
+
+
+def folded_values(found: list[object]) -> list[object]:
+    """The problems, with one for an element that is empty and its only attribute, which it does not have."""
+    strange: dict[Element, list[UnknownAttribute]] = {}
+    for each in found:
+        if isinstance(each, UnknownAttribute) and len(each.element.attributes) == 1:
+            strange.setdefault(each.element, []).append(each)
+    empty = {
+        each.value.element
         for each in found
-        if isinstance(each, UnknownAttribute) and (key := (each.element, each.attribute)) in lacking
+        if isinstance(each, MalformedValue) and each.value.attribute is None and not each.value.text.strip()
     }
-    if not written:
+    both = empty & strange.keys()
+    if not both:
         return found
     return [
-        each.changed(is_attribute=True)
-        if isinstance(each, MissingElement) and (each.element, each.child) in written
+        each.changed(attribute=strange[each.value.element][0].attribute)
+        if isinstance(each, MalformedValue) and each.value.element in both
         else each
         for each in found
-        if not (isinstance(each, UnknownAttribute) and (each.element, each.attribute) in written)
+        if not (isinstance(each, UnknownAttribute) and each.element in both)
     ]
 
 

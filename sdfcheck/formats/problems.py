@@ -18,7 +18,7 @@ class UnknownAttribute(Record):
     """An attribute that no version knows there.
 
     ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
-    which only some are reported.
+    which only some are reported. ``is_child``: a child of that name is, and so are the ``others``.
     """
 
     element: Element
@@ -26,6 +26,8 @@ class UnknownAttribute(Record):
     suggestion: str | None
     needed: bool = False
     more: int = 0
+    is_child: bool = False
+    others: tuple[str, ...] = ()
 
 
 class UnknownElement(Record):
@@ -111,7 +113,7 @@ class MissingElement(Record):
 
     ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
     all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
-    text is a value for the child. ``is_attribute``: it is written as an attribute.
+    text is a value for the child. ``is_attribute``: it is written as an attribute, and so are the ``attributes``.
     """
 
     element: Element
@@ -122,6 +124,7 @@ class MissingElement(Record):
     others: tuple[str, ...] = ()
     fits: bool = False
     is_attribute: bool = False
+    attributes: tuple[str, ...] = ()
 
 
 class MissingAttribute(Record):
@@ -176,7 +179,12 @@ class BadValue(Record):
 
 
 class MalformedValue(BadValue):
-    """Not of the type, which is refused; or empty, where (unless refused) the default is taken."""
+    """Not of the type, which is refused; or empty, where (unless refused) the default is taken.
+
+    ``attribute``: the only attribute of an empty element, where it has none.
+    """
+
+    attribute: str | None = None
 
 
 class MisreadValue(BadValue):

@@ -9,6 +9,7 @@ from sdfcheck.formats.findings import (
     folded,
     folded_attributes,
     folded_texts,
+    folded_values,
     judge,
     text_problems,
 )
@@ -222,7 +223,8 @@ class SdfFindings(Findings):
             needed = suggestion in definition.required_attributes
             if suggestion is not None:
                 self.misspelled.add((element, suggestion))
-            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed))
+            is_child = name in definition.children
+            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed, is_child=is_child))
 
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
         if (element, name) in self.misspelled:
@@ -303,7 +305,7 @@ class SdfFindings(Findings):
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name))
-        self.found = folded_attributes(folded_texts(self.found))
+        self.found = folded_values(folded_attributes(folded_texts(self.found)))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
         for (_, attribute, since), uses in self.uses_too_new.items():
