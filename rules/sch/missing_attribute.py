@@ -1,21 +1,27 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
+    IN_URDF_LINK,
     IN_WORLD,
     Bad,
     Consumer,
     Diagnostic,
     Element,
+    Fix,
     Good,
     Rule,
     Severity,
     is_harmless,
     lacking,
     problems,
+    replace,
     warns,
 )
+
+MOMENTS = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 
 
 class MissingAttribute(Rule):
@@ -41,6 +47,20 @@ class MissingAttribute(Rule):
         Bad('<«sensor» name="s"/>', says="sensor `s` has no `type`"),
         Bad('<sensor name="s" «type»=""/>', says="`type` of sensor `s` is empty"),
         Bad("<«link»/>", scaffold=IN_MODEL, says="`link` has no `name`"),
+        Bad(
+            f"<inertial><«mass»>2</mass>{MOMENTS}</inertial>",
+            fixed=f'<inertial><mass value="2"/>{MOMENTS}</inertial>',
+            unsafe=True,
+            scaffold=IN_URDF_LINK,
+            says="`mass` has no `value`, only text",
+        ),
+        Bad(
+            "<visual><geometry><cylinder><«radius»>1</radius><length>2</length></cylinder></geometry></visual>",
+            fixed='<visual><geometry><cylinder radius="1" length="2"/></geometry></visual>',
+            unsafe=True,
+            scaffold=IN_URDF_LINK,
+            says="`radius` and 1 more of `cylinder` are attributes, not elements",
+        ),
         Bad(
             '<sdf version="1.9"><world name="w"><model name="m"><link name="l"/></model>'
             '<state world_name="w"><model name="m">'
@@ -83,12 +103,23 @@ class MissingAttribute(Rule):
         message = (
             f"`{name}` of {element.title} is empty" if problem.empty else f"{element.title} has no `{name}`"
         )
-        value = element.attribute(name)
+        value, fix = element.attribute(name), None
         target = element.span if value is None else value.name_span
+        if problem.elements:
+            first, *others = problem.elements
+            target, message = first.span, f"`{first.name}` of {element.title} is an attribute, not an element"
+            if others:
+                message = (
+                    f"`{first.name}` and {len(others)} more of {element.title} are attributes, not elements"
+                )
+            fix = _as_attributes(element)
+        elif element.content and not element.attributes and not any(element.children()):
+            message += ", only text"
+            fix = _as_attribute(element, name)
         if problem.until is None:
             affects = dict(lacking(element, name))
             severity = Severity.WARNING if is_harmless(affects) else None
-            yield self.diagnostic(target, message, affects=affects, severity=severity)
+            yield self.diagnostic(target, message, affects=affects, severity=severity, fix=fix)
             return
         message += f", required up to version {problem.until}"
         affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))
@@ -101,3 +132,24 @@ def is_parameter(element: Element) -> bool:
     while at is not None and at.name != "experimental:params":
         at = at.parent
     return at is not None
+
+
+def _as_attributes(element: Element) -> Fix | None:
+    """The fix that writes the simple children of an element as attributes."""
+    source, name = element.span.source, re.escape(element.name)
+    whole = re.compile(rf"<{name}\s*>((?:\s*<(\w+)\s*>[^<>&\"]*</\2\s*>)+)\s*</{name}\s*>")
+    match = whole.match(source.text, element.span.start - 1)
+    if match is None:
+        return None
+    given = " ".join(f'{child.name}="{child.content}"' for child in element.children())
+    return replace(source.span(*match.span()), f"<{element.name} {given}/>", "write attributes", unsafe=True)
+
+
+def _as_attribute(element: Element, attribute: str) -> Fix | None:
+    """The fix that writes the text of an element as its attribute."""
+    source, name = element.span.source, re.escape(element.name)
+    match = re.compile(rf"<{name}\s*>[^<>&\"]*</{name}\s*>").match(source.text, element.span.start - 1)
+    if match is None:
+        return None
+    text = f'<{element.name} {attribute}="{element.content}"/>'
+    return replace(source.span(*match.span()), text, f"write `{text}`", unsafe=True)

@@ -1,12 +1,17 @@
+import re
 from collections.abc import Iterator
 
 from sdfcheck import (
     IN_URDF_LINK,
     Bad,
     Diagnostic,
+    Element,
+    Fix,
     Good,
     Rule,
     Severity,
+    TextEdit,
+    make_fix,
     named,
     problems,
     rename,
@@ -17,6 +22,8 @@ from sdfcheck import (
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 FOR_GAZEBO = frozenset(("light", "plugin", "sensor"))
 """Parts that only `gazebo` blocks hold."""
+PLACED = frozenset(("collision", "inertial", "joint", "visual"))
+"""Elements with an `origin`."""
 
 
 class UnknownUrdfElement(Rule):
@@ -58,6 +65,12 @@ class UnknownUrdfElement(Rule):
             '<«sensor» name="s" type="imu"/>',
             says='`sensor` is not read in link `base`; it goes into `<gazebo reference="base">`',
         ),
+        Bad(
+            f"<visual>{SHAPE}<«pose»>0 0 1 0 1.57 0</pose></visual>",
+            fixed=f'<visual>{SHAPE}<origin xyz="0 0 1" rpy="0 1.57 0"/></visual>',
+            unsafe=True,
+            says="unknown element `pose` in `visual`, which is `origin` in URDF",
+        ),
         Bad(f"<visual>{SHAPE}<«color»/><color/></visual>", says="(used 2 times)"),
     )
     good = (
@@ -73,11 +86,20 @@ class UnknownUrdfElement(Rule):
     def check(self, problem: problems.UnknownUrdfElement) -> Iterator[Diagnostic]:
         element, near = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
-        if near is not None:
+        fix = rename(problem.suggestion, *problem.uses)
+        if problem.attributes:
+            count = len(problem.attributes) - 1
+            message = f"`{element.name}` of {problem.parent.title} is an attribute, not an element"
+            if count:
+                message = f"`{element.name}` and {count} more of {problem.parent.title} are attributes, not elements"
+        elif near is not None:
             message += f"; did you mean `{near}`?"
         elif element.name in FOR_GAZEBO and problem.parent.name in {"link", "joint"}:
             block = f'<gazebo reference="{problem.parent.attributes.get("name", "")}">'
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into `{block}`"
+        elif element.name == "pose" and problem.parent.name in PLACED and not problem.parent.has("origin"):
+            message += ", which is `origin` in URDF"
+            fix = _as_origin(problem.uses)
         elif problem.places:
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
@@ -87,6 +109,19 @@ class UnknownUrdfElement(Rule):
             element,
             message + used(len(problem.uses)),
             severity=severity,
-            fix=rename(problem.suggestion, *problem.uses),
+            fix=fix,
             affects=affects,
         )
+
+
+def _as_origin(poses: tuple[Element, ...]) -> Fix | None:
+    """The fix that writes each `pose` of SDFormat as an `origin`."""
+    edits = []
+    for pose in poses:
+        source, numbers = pose.span.source, pose.content.split()
+        match = re.compile(r"<pose\s*>[^<>&\"]*</pose\s*>").match(source.text, pose.span.start - 1)
+        if match is None or len(numbers) != 6:
+            return None
+        text = f'<origin xyz="{" ".join(numbers[:3])}" rpy="{" ".join(numbers[3:])}"/>'
+        edits.append(TextEdit(source.span(*match.span()), text))
+    return make_fix("write `origin`", tuple(edits), unsafe=True)

@@ -131,13 +131,14 @@ class MissingAttribute(Record):
     """A required attribute is absent, or ``empty``.
 
     ``until`` is the last version that requires it, where the newest one does not; then
-    only consumers of that time refuse the file.
+    only consumers of that time refuse the file. ``elements``: it is written as an element, and so are all these.
     """
 
     element: Element
     attribute: str
     empty: bool
     until: Version | None = None
+    elements: tuple[Element, ...] = ()
 
 
 class EmptyName(Record):
@@ -253,7 +254,8 @@ class UnknownUrdfElement(Record):
     """An element that no consumer of URDF looks for at this place.
 
     ``uses`` are all of this name below parents of this name; ``places`` the parents below
-    which it would be read. ``needed``: ``suggestion`` is required there and missing.
+    which it would be read. ``needed``: ``suggestion`` is required there and missing. ``attributes``: these should be
+    attributes of the parent.
     """
 
     element: Element
@@ -262,6 +264,7 @@ class UnknownUrdfElement(Record):
     places: tuple[str, ...]
     uses: tuple[Element, ...]
     needed: bool
+    attributes: tuple[Element, ...] = ()
 
 
 class UnknownUrdfAttribute(Record):

@@ -329,8 +329,36 @@ class UrdfFindings(Findings):
             values = tuple(_values_with_expressions(root))
             self.found.append(problems.UnexpandedExpression(first, len(places), values))
 
+    def fold_attributes(self) -> None:
+        """Make one problem of the children of an element that should be attributes of it, missing ones included."""
+        written: dict[Element, list[Element]] = {}
+        for key, uses in self.unknown.items():
+            meant = [one for one in uses if one.name in self.places[self.parents[one]].attributes]
+            for one in meant:
+                written.setdefault(self.parents[one], []).append(one)
+            self.unknown[key] = [one for one in uses if one not in meant]
+        lacking: dict[Element, problems.MissingAttribute] = {}
+        found: list[object] = []
+        for each in self.found:
+            if isinstance(each, problems.MissingAttribute) and any(
+                one.name == each.attribute for one in written.get(each.element, ())
+            ):
+                lacking.setdefault(each.element, each)
+            else:
+                found.append(each)
+        self.found = found
+        for parent, children in written.items():
+            if (missing := lacking.get(parent)) is not None:
+                self.found.append(missing.changed(elements=tuple(children)))
+                continue
+            first = children[0]
+            self.found.append(
+                problems.UnknownUrdfElement(first, parent, None, (), (first,), False, tuple(children))
+            )
+
     def conclude(self) -> list[object]:
-        for uses in self.unknown.values():
+        self.fold_attributes()
+        for uses in filter(None, self.unknown.values()):
             parent = self.parents[uses[0]]
             near = meant_child(uses[0], self.places[parent])
             needed = near is not None and _needs(parent, self.places[parent], near)
