@@ -101,7 +101,7 @@ def _root(data: bytes, path: Path, arguments: Mapping[str, str] | None, search: 
         expansion = expand(document, arguments or {}, surroundings)
         if expansion.document is None:
             obstacle = expansion.obstacle(document.path)
-            raise Unreadable(f"{obstacle} cannot be expanded by xacro; sdfcheck.lint says why")
+            raise Unreadable(f"{obstacle}, so xacro does not expand the file; sdfcheck.lint says more")
         document = expansion.document
     if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise Unreadable(f"{document.path}: looks like {document.kind.description}, no robot description")

@@ -256,11 +256,14 @@ class Expansion(NamedTuple):
     arguments: tuple[str, ...] = ()
 
     def obstacle(self, path: Path) -> str:
-        """The place and text that xacro cannot expand, for a sentence; the file if it is not known."""
+        """The reason that keeps xacro from expanding the file, with the place, if it is known."""
         if not self.problems:
-            return str(path)
-        span = self.problems[0].span
-        return f"{span.source.path}:{span.begin.line}:{span.begin.column}: `{span.text}`"
+            return f"{path} cannot be expanded"
+        first, span = self.problems[0], self.problems[0].span
+        what = f"`{span.text}` cannot be expanded"
+        if isinstance(first, UnknownPackage):
+            what = f"package `{first.name}` is not found"
+        return f"{span.source.path}:{span.begin.line}:{span.begin.column}: {what}"
 
 
 class Expander:

@@ -303,7 +303,10 @@ def test_the_place_that_xacro_cannot_expand_is_said(tmp_path: Path) -> None:
     file = tmp_path / "r.urdf.xacro"
     xacro = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
     file.write_text(f'<robot name="r" {xacro}>\n<link name="${{1/0}}"/></robot>')
-    with pytest.raises(sdfcheck.Unreadable, match=r"xacro:2:13: `\$\{1/0\}` cannot be expanded by xacro"):
+    with pytest.raises(sdfcheck.Unreadable, match=r"xacro:2:13: `\$\{1/0\}` cannot be expanded, so xacro"):
+        sdfcheck.load(file)
+    file.write_text(f'<robot name="r" {xacro}>\n<xacro:include filename="$(find far)/a.xacro"/></robot>')
+    with pytest.raises(sdfcheck.Unreadable, match="package `far` is not found, so xacro does not expand"):
         sdfcheck.load(file)
 
 

@@ -112,7 +112,7 @@ def _expanded(document: Document, settings: Settings, around: SearchContext) -> 
         expansion = expander.expand(document, chosen)
     if expansion.document is None:
         obstacle = expansion.obstacle(document.path)
-        raise WrongUsage(f"{obstacle} cannot be expanded; `sdfcheck expand` says why")
+        raise WrongUsage(f"{obstacle}; `sdfcheck expand` says more")
     expansion.document.library = document.library
     return expansion.document
 
