@@ -1,6 +1,22 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_ROBOT, SDF, Bad, Diagnostic, Good, Rule, Severity, named, problems, rename
+from sdfcheck import (
+    IN_LINK,
+    IN_ROBOT,
+    SDF,
+    Bad,
+    Diagnostic,
+    Element,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    named,
+    problems,
+    rename,
+    replace,
+)
 
 
 class MisplacedElement(Rule):
@@ -35,6 +51,14 @@ class MisplacedElement(Rule):
             says="it goes into `model` or `world`",
         ),
         Bad(
+            '<visual name="v"><geometry><box><size>1 1 1</size></box></geometry>'
+            '<material><«color» rgba="0 0 1 1"/></material></visual>',
+            fixed='<visual name="v"><geometry><box><size>1 1 1</size></box></geometry>'
+            "<material><ambient>0 0 1 1</ambient><diffuse>0 0 1 1</diffuse></material></visual>",
+            unsafe=True,
+            says="which has `diffuse` and `ambient` in SDFormat",
+        ),
+        Bad(
             '<gazebo reference="base"><«plugin» name="p" filename="f"/></gazebo>',
             scaffold=IN_ROBOT,
             says="becomes a plugin of `base`, which Gazebo does not load",
@@ -63,6 +87,10 @@ class MisplacedElement(Rule):
             )
             return
         message = f"`{element.name}` does not belong in {parent.title}"
+        if (element.name, parent.name) == ("color", "material"):
+            message += ", which has `diffuse` and `ambient` in SDFormat"
+            yield self.diagnostic(element, message, fix=_as_colors(element))
+            return
         if problem.suggestion is not None:
             message += f"; did you mean `{problem.suggestion}`?"
         else:
@@ -73,3 +101,15 @@ class MisplacedElement(Rule):
             return
         message += "; libsdformat follows it anyway"
         yield self.diagnostic(element, message, severity=Severity.WARNING)
+
+
+def _as_colors(color: Element) -> Fix | None:
+    """The fix that writes the `color` of URDF as SDFormat does."""
+    source = color.span.source
+    tag = re.compile(r"<color\s+rgba\s*=\s*([\"'])([^\"'<>&]*)\1\s*/>").match(
+        source.text, color.span.start - 1
+    )
+    if tag is None:
+        return None
+    text = "".join(f"<{name}>{tag[2]}</{name}>" for name in ("ambient", "diffuse"))
+    return replace(source.span(*tag.span()), text, "write `ambient` and `diffuse`", unsafe=True)
