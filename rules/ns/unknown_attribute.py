@@ -60,13 +60,17 @@ class UnknownAttribute(Rule):
         attribute = element.attribute(name)
         place = attribute.name_span if attribute is not None else element.span
         message = f"unknown attribute `{name}` of {element.title}"
-        if problem.is_child:
+        if problem.child is not None:
             message = f"`{name}` of {element.title} is an element, not an attribute"
             if problem.others:
                 message = (
                     f"`{name}` and {len(problem.others)} more of {element.title} are elements, not attributes"
                 )
-            advice = f"write `<{name}>{attribute.text}</{name}>` in it" if attribute is not None else None
+            advice = (
+                f"write `<{problem.child}>{attribute.text}</{problem.child}>` in it"
+                if attribute is not None
+                else None
+            )
             yield self.diagnostic(place, message, help=advice)
             return
         if problem.more:

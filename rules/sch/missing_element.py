@@ -1,5 +1,5 @@
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sdfcheck import (
     IN_COLLISION,
@@ -80,6 +80,12 @@ class MissingElement(Rule):
             says="`radius` and 1 more of `cylinder` are elements, not attributes, so the defaults apply",
         ),
         Bad(
+            '<geometry><mesh «filename»="model://arm/arm.obj" scale="2 2 2"/></geometry>',
+            fixed="<geometry><mesh><uri>model://arm/arm.obj</uri><scale>2 2 2</scale></mesh></geometry>",
+            unsafe=True,
+            says="`mesh` has no `uri`, an element that is `filename` in URDF",
+        ),
+        Bad(
             "<geometry><box><size>1 1 1</size></box></geometry>"
             "<material><script>«Gazebo/Red»</script></material>",
             scaffold=IN_VISUAL,
@@ -129,36 +135,37 @@ class MissingElement(Rule):
             if problem.fits:
                 text = f"<{problem.child}>{place.text}</{problem.child}>"
                 fix = replace(place, text, f"write `{text}`", unsafe=True)
-        elif problem.is_attribute and (attribute := problem.element.attribute(problem.child)) is not None:
-            place = attribute.name_span
+        elif (
+            problem.attributes and (attribute := problem.element.attribute(problem.attributes[0])) is not None
+        ):
+            place, (first, *others) = attribute.name_span, problem.attributes
             message += ", which is an element there, not an attribute"
-            if problem.attributes:
-                count = len(problem.attributes)
-                message = f"`{problem.child}` and {count} more of {problem.element.title} are elements, not attributes"
-            fix = _as_elements(problem.element, {problem.child, *problem.attributes})
+            if first != problem.child:
+                message = (
+                    f"{problem.element.title} has no `{problem.child}`, an element that is `{first}` in URDF"
+                )
+            elif others:
+                title = problem.element.title
+                message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
+            fix = _as_elements(problem.element, {**{name: name for name in others}, first: problem.child})
         if problem.refused:
             yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
             return
-        if problem.attributes:
-            message += ", so the defaults apply"
-        elif problem.default is not None:
-            message += f", so the default {problem.default} applies"
+        if problem.default is not None:
+            is_one = len(problem.attributes) < 2
+            message += f", so the default {problem.default} applies" if is_one else ", so the defaults apply"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
-        if problem.is_attribute:
+        if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
 
 
-def _as_elements(element: Element, names: set[str]) -> Fix | None:
-    """The fix that writes the attributes of an empty element, if they are these, as elements."""
+def _as_elements(element: Element, names: Mapping[str, str]) -> Fix | None:
+    """The fix that writes the attributes of an empty element, if they are these, as elements of these names."""
     source, given = element.span.source, dict(element.attributes)
     tag = re.compile(rf"<{re.escape(element.name)}\s[^<>]*/>").match(source.text, element.span.start - 1)
-    if (
-        tag is None
-        or given.keys() != names
-        or any(mark in value for value in given.values() for mark in "<&")
-    ):
+    if tag is None or given.keys() != names.keys() or any(mark in "".join(given.values()) for mark in "<&"):
         return None
-    inner = "".join(f"<{name}>{value}</{name}>" for name, value in given.items())
+    inner = "".join(f"<{names[name]}>{value}</{names[name]}>" for name, value in given.items())
     text = f"<{element.name}>{inner}</{element.name}>"
     return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)

@@ -163,30 +163,30 @@ def folded(found: list[object]) -> list[object]:
 
 def folded_attributes(found: list[object]) -> list[object]:
     """The problems, with one for all attributes of an element that should be children, missing ones included."""
-    written: dict[Element, list[str]] = {}
+    written: dict[Element, dict[str, UnknownAttribute]] = {}
     for each in found:
-        if isinstance(each, UnknownAttribute) and each.is_child:
-            written.setdefault(each.element, []).append(each.attribute)
-    alike: dict[Element, list[UnknownAttribute | MissingElement]] = {}
-    for each in found if written else ():
-        is_alike = isinstance(each, UnknownAttribute) and each.is_child
-        if is_alike or (isinstance(each, MissingElement) and each.child in written.get(each.element, ())):
-            assert isinstance(each, UnknownAttribute | MissingElement)
-            alike.setdefault(each.element, []).append(each)
-    rest = {id(each) for group in alike.values() for each in group}
-    return [each for each in found if id(each) not in rest] + [
-        _as_one(group, written[element]) for element, group in alike.items()
-    ]
-
-
-def _as_one(group: list[UnknownAttribute | MissingElement], names: list[str]) -> object:
-    """The attributes of an element that should be children, as one problem."""
-    missing = [each for each in group if isinstance(each, MissingElement)]
-    if missing:
-        others = tuple(name for name in names if name != missing[0].child)
-        refused = any(each.refused for each in missing)
-        return missing[0].changed(is_attribute=True, attributes=others, refused=refused)
-    return group[0].changed(others=tuple(names[1:]))
+        if isinstance(each, UnknownAttribute) and each.child is not None:
+            written.setdefault(each.element, {})[each.child] = each
+    if not written:
+        return found
+    missing: dict[Element, list[MissingElement]] = {}
+    rest: list[object] = []
+    for each in found:
+        if isinstance(each, MissingElement) and each.child in written.get(each.element, ()):
+            missing.setdefault(each.element, []).append(each)
+        elif not (isinstance(each, UnknownAttribute) and each.child is not None):
+            rest.append(each)
+    for element, attributes in written.items():
+        first, *others = missing.get(element, [None])
+        if first is None:
+            names = tuple(each.attribute for each in attributes.values())
+            rest.append(next(iter(attributes.values())).changed(others=names[1:]))
+            continue
+        own = attributes.pop(first.child)
+        names = (own.attribute, *(each.attribute for each in attributes.values()))
+        refused = any(each.refused for each in (first, *filter(None, others)))
+        rest.append(first.changed(attributes=names, refused=refused))
+    return rest
 
 
 def folded_values(found: list[object]) -> list[object]:

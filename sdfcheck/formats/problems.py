@@ -18,7 +18,7 @@ class UnknownAttribute(Record):
     """An attribute that no version knows there.
 
     ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
-    which only some are reported. ``is_child``: a child of that name is, and so are the ``others``.
+    which only some are reported. ``child``: the child that it should be, as the ``others`` should.
     """
 
     element: Element
@@ -26,7 +26,7 @@ class UnknownAttribute(Record):
     suggestion: str | None
     needed: bool = False
     more: int = 0
-    is_child: bool = False
+    child: str | None = None
     others: tuple[str, ...] = ()
 
 
@@ -113,7 +113,7 @@ class MissingElement(Record):
 
     ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
     all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
-    text is a value for the child. ``is_attribute``: it is written as an attribute, and so are the ``attributes``.
+    text is a value for the child. ``attributes``: it is written as the first of these, and others as the rest.
     """
 
     element: Element
@@ -123,7 +123,6 @@ class MissingElement(Record):
     text: Span | None = None
     others: tuple[str, ...] = ()
     fits: bool = False
-    is_attribute: bool = False
     attributes: tuple[str, ...] = ()
 
 

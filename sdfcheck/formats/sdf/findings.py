@@ -115,6 +115,10 @@ Named = dict[Element, list[tuple[str, str, Element]]]
 """Parent → (element name, value of its ``name``, element)."""
 
 
+_OF_URDF = {("mesh", "filename"): "uri"}
+"""An attribute of URDF: the child that SDFormat has for it, where that has another name."""
+
+
 class SdfFindings(Findings):
     """The problems of one SDFormat document, collected during its walk."""
 
@@ -223,8 +227,9 @@ class SdfFindings(Findings):
             needed = suggestion in definition.required_attributes
             if suggestion is not None:
                 self.misspelled.add((element, suggestion))
-            is_child = name in definition.children
-            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed, is_child=is_child))
+            meant = _OF_URDF.get((element.name, name), name)
+            child = meant if meant in definition.children else None
+            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed, child=child))
 
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
         if (element, name) in self.misspelled:
