@@ -18,8 +18,10 @@ from sdfcheck import (
     unreadable,
     used,
 )
+from sdfcheck_rules.urd.undefined_material import COLORS
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
+PAINTED = '<robot name="r"><material name="m">{}</material><link name="a"/></robot>'
 FOR_GAZEBO = frozenset(("light", "plugin", "sensor"))
 """Parts that only `gazebo` blocks hold."""
 PLACED = frozenset(("collision", "inertial", "joint", "visual"))
@@ -71,6 +73,13 @@ class UnknownUrdfElement(Rule):
             unsafe=True,
             says="unknown element `pose` in `visual`, which is `origin` in URDF",
         ),
+        Bad(
+            PAINTED.replace("{}", "<«diffuse»>1 0 0 1</diffuse>"),
+            fixed=PAINTED.replace("{}", '<color rgba="1 0 0 1"/>'),
+            unsafe=True,
+            scaffold="",
+            says="`diffuse` is not read in material `m`: URDF has `color`",
+        ),
         Bad(f"<visual>{SHAPE}<«color»/><color/></visual>", says="(used 2 times)"),
     )
     good = (
@@ -97,13 +106,17 @@ class UnknownUrdfElement(Rule):
         elif element.name in FOR_GAZEBO and problem.parent.name in {"link", "joint"}:
             block = f'<gazebo reference="{problem.parent.attributes.get("name", "")}">'
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into `{block}`"
+        elif problem.parent.name == "material" and element.name in COLORS:
+            message = f"`{element.name}` is not read in {problem.parent.title}: URDF has `color`"
+            fix = _as_color(problem.uses)
         elif element.name == "pose" and problem.parent.name in PLACED and not problem.parent.has("origin"):
             message += ", which is `origin` in URDF"
             fix = _as_origin(problem.uses)
         elif problem.places:
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
-        severity = Severity.ERROR if problem.needed else None
+        is_bare = problem.parent.name == "material" and not problem.parent.has("color")
+        severity = Severity.ERROR if problem.needed or (is_bare and element.name in COLORS) else None
         affects = unreadable(problem.parent) if problem.needed else {}
         yield self.diagnostic(
             element,
@@ -125,3 +138,14 @@ def _as_origin(poses: tuple[Element, ...]) -> Fix | None:
         text = f'<origin xyz="{" ".join(numbers[:3])}" rpy="{" ".join(numbers[3:])}"/>'
         edits.append(TextEdit(source.span(*match.span()), text))
     return make_fix("write `origin`", tuple(edits), unsafe=True)
+
+
+def _as_color(colors: tuple[Element, ...]) -> Fix | None:
+    """The fix that writes each `diffuse` of SDFormat as a `color`, where the material has none."""
+    edits = []
+    for color in colors:
+        source, parent = color.span.source, color.parent
+        match = re.compile(r"<diffuse\s*>[^<>&\"]*</diffuse\s*>").match(source.text, color.span.start - 1)
+        if match is not None and parent is not None and not parent.has("color"):
+            edits.append(TextEdit(source.span(*match.span()), f'<color rgba="{color.content}"/>'))
+    return make_fix("write `color`", tuple(edits), unsafe=True) if edits else None

@@ -182,6 +182,8 @@ def _cause(rest: str) -> Cause:
 
 _ASKED_BY_RULES = frozenset(("inertia", "limit", "mesh"))
 """Elements for whose missing attributes there are rules of their own."""
+_COLORS = frozenset(("ambient", "diffuse", "emissive", "specular"))
+_COLOR = "color of SDFormat"
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -215,7 +217,8 @@ class UrdfFindings(Findings):
     def unknown_child(self, child: Element, parent: Element, place: Definition) -> None:
         self.places[parent] = place
         self.parents[child] = parent
-        self.unknown.setdefault((place.name, child.name), []).append(child)
+        name = _COLOR if place.name == "material" and child.name in _COLORS else child.name
+        self.unknown.setdefault((place.name, name), []).append(child)
 
     def repeated(self, element: Element, first: Element, parent: Element) -> bool:
         if parent.name == "geometry":
