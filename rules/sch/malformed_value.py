@@ -14,6 +14,7 @@ from sdfcheck import (
     Severity,
     is_harmless,
     problems,
+    refuses,
     replace,
     suggest,
     unreadable,
@@ -168,6 +169,8 @@ class MalformedValue(Rule):
             return
         message += f", so {problem.definition.default} is taken"
         affects = dict.fromkeys(Consumer, warns("takes the default"))
+        if problem.attribute is not None:
+            affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
         yield self.diagnostic(problem.span, message, fix=fix, severity=Severity.WARNING, affects=affects)
 
 

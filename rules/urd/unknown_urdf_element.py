@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_URDF_LINK,
     Bad,
+    Consumer,
     Diagnostic,
     Element,
     Fix,
@@ -14,6 +15,7 @@ from sdfcheck import (
     make_fix,
     named,
     problems,
+    refuses,
     rename,
     unreadable,
     used,
@@ -117,7 +119,9 @@ class UnknownUrdfElement(Rule):
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
         is_bare = problem.parent.name == "material" and not problem.parent.has("color")
         severity = Severity.ERROR if problem.needed or (is_bare and element.name in COLORS) else None
-        affects = unreadable(problem.parent) if problem.needed else {}
+        affects = dict(unreadable(problem.parent)) if problem.needed else {}
+        if is_bare and element.name in COLORS:
+            affects[Consumer.DRAKE] = refuses("knows no such material")
         yield self.diagnostic(
             element,
             message + used(len(problem.uses)),
