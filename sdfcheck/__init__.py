@@ -68,7 +68,7 @@ if TYPE_CHECKING:
         Good,
     )
     from sdfcheck.lint.fix import Applicability, Fix, TextEdit
-    from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, write_instead
+    from sdfcheck.lint.rule import Rule, Target, make_fix, rename, replace, rewrite, write_instead
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
     from sdfcheck.release import __version__
@@ -142,7 +142,7 @@ _HOMES = {
         "SDF Bad Good"
     ),
     "sdfcheck.lint.fix": "Applicability Fix TextEdit",
-    "sdfcheck.lint.rule": "Rule Target make_fix rename replace write_instead",
+    "sdfcheck.lint.rule": "Rule Target make_fix rename replace rewrite write_instead",
     "sdfcheck.lint.rulebook.vendor_rule": "VendorRule",
     "sdfcheck.lint.run": "Run",
     "sdfcheck.release": "__version__",
@@ -310,6 +310,7 @@ __all__ = [
     "rename",
     "repeating",
     "replace",
+    "rewrite",
     "suggest",
     "suggest_in",
     "targets",

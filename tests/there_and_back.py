@@ -109,7 +109,8 @@ def untold(changes: list[Change], losses: list[Loss]) -> Iterator[str]:
         if (
             has_maps
             and change.before == "none"
-            and change.what.endswith(("/material/pbr", "/material/diffuse"))
+            and (change.what.rpartition("/")[2], change.after)
+            in {("pbr", "1 settings"), ("diffuse", "1 1 1 1")}
         ):
             continue  # reported once for a texture, by its file
         looks = change.part

@@ -1,4 +1,3 @@
-import re
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -13,8 +12,11 @@ from sdfcheck import (
     Severity,
     problems,
     rename,
-    replace,
+    rewrite,
 )
+
+PLACED = frozenset(("collision", "inertial", "link", "model", "sensor", "visual"))
+"""Elements whose `pose` says what an `origin` of URDF would; that of a joint is in the link that it carries."""
 
 
 class UnknownElement(Rule):
@@ -72,21 +74,21 @@ class UnknownElement(Rule):
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
         severity = Severity.ERROR if problem.refused else None
-        if element.name == "origin" and guess is None:
+        if element.name == "origin" and problem.parent.name in PLACED and not problem.parent.has("pose"):
             message += ", which is `pose` in SDFormat"
-            yield self.diagnostic(element, message, fix=_as_pose(element), severity=severity)
+            yield self.diagnostic(element, message, fix=as_pose(element), severity=severity)
             return
         advice = "give it a prefix if it is your own" if guess is None else None
+        if (element.name, problem.parent.name) == ("origin", "joint"):
+            advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
         yield self.diagnostic(element, message, meant=guess, fix=fix, help=advice, severity=severity)
 
 
-def _as_pose(element: Element) -> Fix | None:
+def as_pose(origin: Element) -> Fix | None:
     """The fix that writes an `origin` of URDF as a `pose`."""
-    source, given = element.span.source, element.attributes
-    tag = re.compile(r"<origin\s[^<>]*/>").match(source.text, element.span.start - 1)
+    given = origin.attributes
     numbers = [*given.get("xyz", "0 0 0").split(), *given.get("rpy", "0 0 0").split()]
-    if tag is None or len(numbers) != 6 or not given.keys() <= {"xyz", "rpy"}:
+    if len(numbers) != 6 or not given.keys() <= {"xyz", "rpy"} or origin.nodes:
         return None
-    text = f"<pose>{' '.join(numbers)}</pose>"
-    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)
+    return rewrite("write `pose`", {origin: f"<pose>{' '.join(numbers)}</pose>"})

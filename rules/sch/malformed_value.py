@@ -1,4 +1,3 @@
-import re
 from collections.abc import Callable, Iterator, Mapping
 
 from sdfcheck import (
@@ -15,7 +14,7 @@ from sdfcheck import (
     is_harmless,
     problems,
     refuses,
-    replace,
+    rewrite,
     suggest,
     unreadable,
     warns,
@@ -161,7 +160,7 @@ class MalformedValue(Rule):
         parent, fix = problem.value.element.parent, None
         if problem.attribute is not None:
             message += f", and its attribute `{problem.attribute}` is not read"
-            fix = _as_text(problem.value.element, problem.attribute)
+            fix = as_text(problem.value.element, problem.attribute)
         if parent is not None and parent.name == "include" and not problem.reading.refused:
             return
         if problem.reading.refused:
@@ -174,11 +173,7 @@ class MalformedValue(Rule):
         yield self.diagnostic(problem.span, message, fix=fix, severity=Severity.WARNING, affects=affects)
 
 
-def _as_text(element: Element, name: str) -> Fix | None:
+def as_text(element: Element, attribute: str) -> Fix | None:
     """The fix that writes the only attribute of an empty element as its text."""
-    source, value = element.span.source, element.attributes[name]
-    tag = re.compile(rf"<{re.escape(element.name)}\s[^<>]*/>").match(source.text, element.span.start - 1)
-    if tag is None or "<" in value or "&" in value:
-        return None
-    text = f"<{element.name}>{value}</{element.name}>"
-    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)
+    text = f"<{element.name}>{element.attributes[attribute]}</{element.name}>"
+    return None if element.nodes else rewrite(f"write `{text}`", {element: text})

@@ -1,4 +1,3 @@
-import re
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -15,8 +14,10 @@ from sdfcheck import (
     named,
     problems,
     rename,
-    replace,
+    rewrite,
 )
+
+COLORS = ("ambient", "diffuse")
 
 
 class MisplacedElement(Rule):
@@ -89,7 +90,7 @@ class MisplacedElement(Rule):
         message = f"`{element.name}` does not belong in {parent.title}"
         if (element.name, parent.name) == ("color", "material"):
             message += ", which has `diffuse` and `ambient` in SDFormat"
-            yield self.diagnostic(element, message, fix=_as_colors(element))
+            yield self.diagnostic(element, message, fix=as_colors(element, parent))
             return
         if problem.suggestion is not None:
             message += f"; did you mean `{problem.suggestion}`?"
@@ -103,13 +104,11 @@ class MisplacedElement(Rule):
         yield self.diagnostic(element, message, severity=Severity.WARNING)
 
 
-def _as_colors(color: Element) -> Fix | None:
-    """The fix that writes the `color` of URDF as SDFormat does."""
-    source = color.span.source
-    tag = re.compile(r"<color\s+rgba\s*=\s*([\"'])([^\"'<>&]*)\1\s*/>").match(
-        source.text, color.span.start - 1
-    )
-    if tag is None:
+def as_colors(color: Element, material: Element) -> Fix | None:
+    """The fix that writes the `color` of URDF as SDFormat does, where the material has no color."""
+    rgba = color.attributes.get("rgba")
+    if rgba is None or color.nodes or any(map(material.has, COLORS)):
         return None
-    text = "".join(f"<{name}>{tag[2]}</{name}>" for name in ("ambient", "diffuse"))
-    return replace(source.span(*tag.span()), text, "write `ambient` and `diffuse`", unsafe=True)
+    return rewrite(
+        "write `ambient` and `diffuse`", {color: "".join(f"<{name}>{rgba}</{name}>" for name in COLORS)}
+    )

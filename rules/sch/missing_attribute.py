@@ -1,5 +1,4 @@
-import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sdfcheck import (
     IN_LINK,
@@ -17,11 +16,25 @@ from sdfcheck import (
     is_harmless,
     lacking,
     problems,
-    replace,
+    rewrite,
     warns,
 )
 
 MOMENTS = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+
+VALUES = frozenset(
+    (
+        ("axis", "xyz"),
+        ("box", "size"),
+        ("child", "link"),
+        ("color", "rgba"),
+        ("mass", "value"),
+        ("material", "name"),
+        ("parent", "link"),
+        ("sphere", "radius"),
+    )
+)
+"""Elements of URDF, and the attribute that says all of them."""
 
 
 class MissingAttribute(Rule):
@@ -112,10 +125,10 @@ class MissingAttribute(Rule):
                 message = (
                     f"`{first.name}` and {len(others)} more of {element.title} are attributes, not elements"
                 )
-            fix = _as_attributes(element)
-        elif element.content and not element.attributes and not any(element.children()):
+            fix = as_attributes(problem.elements, element)
+        elif (element.name, name) in VALUES and element.content and not element.attributes:
             message += ", only text"
-            fix = _as_attribute(element, name)
+            fix = as_attributes((element,), element, name)
         if problem.until is None:
             affects = dict(lacking(element, name))
             severity = Severity.WARNING if is_harmless(affects) else None
@@ -134,22 +147,18 @@ def is_parameter(element: Element) -> bool:
     return at is not None
 
 
-def _as_attributes(element: Element) -> Fix | None:
-    """The fix that writes the simple children of an element as attributes."""
-    source, name = element.span.source, re.escape(element.name)
-    whole = re.compile(rf"<{name}\s*>((?:\s*<(\w+)\s*>[^<>&\"]*</\2\s*>)+)\s*</{name}\s*>")
-    match = whole.match(source.text, element.span.start - 1)
-    if match is None:
+def as_attributes(values: Sequence[Element], element: Element, name: str = "") -> Fix | None:
+    """The fix that writes elements with text, which are all that an element has, as its attributes."""
+    given = {name or value.name: value.content for value in values}
+    is_simple = not any(value.attributes or any(value.children()) for value in values)
+    rest = [child for child in element.children() if child not in values]
+    if (
+        element.attributes
+        or rest
+        or not is_simple
+        or len(given) < len(values)
+        or '"' in "".join(given.values())
+    ):
         return None
-    given = " ".join(f'{child.name}="{child.content}"' for child in element.children())
-    return replace(source.span(*match.span()), f"<{element.name} {given}/>", "write attributes", unsafe=True)
-
-
-def _as_attribute(element: Element, attribute: str) -> Fix | None:
-    """The fix that writes the text of an element as its attribute."""
-    source, name = element.span.source, re.escape(element.name)
-    match = re.compile(rf"<{name}\s*>[^<>&\"]*</{name}\s*>").match(source.text, element.span.start - 1)
-    if match is None:
-        return None
-    text = f'<{element.name} {attribute}="{element.content}"/>'
-    return replace(source.span(*match.span()), text, f"write `{text}`", unsafe=True)
+    text = " ".join(f'{key}="{value}"' for key, value in given.items())
+    return rewrite("write attributes", {element: f"<{element.name} {text}/>"})

@@ -1,4 +1,3 @@
-import re
 from collections.abc import Iterator, Mapping
 
 from sdfcheck import (
@@ -19,6 +18,7 @@ from sdfcheck import (
     problems,
     refuses,
     replace,
+    rewrite,
     warns,
 )
 
@@ -147,7 +147,7 @@ class MissingElement(Rule):
             elif others:
                 title = problem.element.title
                 message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
-            fix = _as_elements(problem.element, {**{name: name for name in others}, first: problem.child})
+            fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
         if problem.refused:
             yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
             return
@@ -160,12 +160,11 @@ class MissingElement(Rule):
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
 
 
-def _as_elements(element: Element, names: Mapping[str, str]) -> Fix | None:
+def as_elements(element: Element, names: Mapping[str, str]) -> Fix | None:
     """The fix that writes the attributes of an empty element, if they are these, as elements of these names."""
-    source, given = element.span.source, dict(element.attributes)
-    tag = re.compile(rf"<{re.escape(element.name)}\s[^<>]*/>").match(source.text, element.span.start - 1)
-    if tag is None or given.keys() != names.keys() or any(mark in "".join(given.values()) for mark in "<&"):
+    given = element.attributes
+    if element.nodes or given.keys() != names.keys():
         return None
     inner = "".join(f"<{names[name]}>{value}</{names[name]}>" for name, value in given.items())
     text = f"<{element.name}>{inner}</{element.name}>"
-    return replace(source.span(*tag.span()), text, f"write `{text}`", unsafe=True)
+    return rewrite(f"write `{text}`", {element: text})

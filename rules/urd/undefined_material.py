@@ -17,9 +17,6 @@ from sdfcheck import (
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 LINK = f'<robot name="r">{{}}<link name="a"><visual>{SHAPE}<material name="grey"/></visual></link></robot>'
 
-COLORS = frozenset(("ambient", "diffuse", "emissive", "specular"))
-"""The colors of a material in SDFormat."""
-
 
 class UndefinedMaterial(Rule):
     """A visual names a material that is not defined.
@@ -90,8 +87,7 @@ class UndefinedMaterial(Rule):
         for material, first in robot.material_names.redefined:
             yield self.redefined(material, first)
         for name, uses in robot.material_names.undefined.items():
-            if not any(map(has_colors_of_sdformat, uses)):
-                yield self.undefined(robot, name, uses)
+            yield self.undefined(robot, name, uses)
 
     def redefined(self, material: Material, first: Material) -> Diagnostic:
         return self.diagnostic(
@@ -119,9 +115,4 @@ class UndefinedMaterial(Rule):
 
 def is_empty(material: Material) -> bool:
     is_bare = not material.has_look and material.lacks("color") and material.lacks("texture")
-    return is_bare and not has_colors_of_sdformat(material)
-
-
-def has_colors_of_sdformat(material: Material) -> bool:
-    """Has it colors that unknown-urdf-element looks at?"""
-    return any(material.element.has(name) for name in COLORS)
+    return is_bare and not material.has_foreign_colors

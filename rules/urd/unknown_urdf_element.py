@@ -1,5 +1,4 @@
-import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from sdfcheck import (
     IN_URDF_LINK,
@@ -11,23 +10,21 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
-    TextEdit,
-    make_fix,
     named,
     problems,
     refuses,
     rename,
+    rewrite,
     unreadable,
     used,
 )
-from sdfcheck_rules.urd.undefined_material import COLORS
 
 SHAPE = '<geometry><sphere radius="1"/></geometry>'
 PAINTED = '<robot name="r"><material name="m">{}</material><link name="a"/></robot>'
 FOR_GAZEBO = frozenset(("light", "plugin", "sensor"))
 """Parts that only `gazebo` blocks hold."""
-PLACED = frozenset(("collision", "inertial", "joint", "visual"))
-"""Elements with an `origin`."""
+PLACED = frozenset(("collision", "inertial", "visual"))
+"""Elements whose `origin` says what a `pose` of SDFormat would; that of a joint is in its parent link."""
 
 
 class UnknownUrdfElement(Rule):
@@ -108,20 +105,19 @@ class UnknownUrdfElement(Rule):
         elif element.name in FOR_GAZEBO and problem.parent.name in {"link", "joint"}:
             block = f'<gazebo reference="{problem.parent.attributes.get("name", "")}">'
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into `{block}`"
-        elif problem.parent.name == "material" and element.name in COLORS:
+        elif problem.is_color:
             message = f"`{element.name}` is not read in {problem.parent.title}: URDF has `color`"
-            fix = _as_color(problem.uses)
+            fix = as_color(problem.uses)
         elif element.name == "pose" and problem.parent.name in PLACED and not problem.parent.has("origin"):
             message += ", which is `origin` in URDF"
-            fix = _as_origin(problem.uses)
+            fix = as_origin(problem.uses)
         elif problem.places:
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
-        is_bare = problem.parent.name == "material" and not problem.parent.has("color")
-        severity = Severity.ERROR if problem.needed or (is_bare and element.name in COLORS) else None
-        affects = dict(unreadable(problem.parent)) if problem.needed else {}
-        if is_bare and element.name in COLORS:
-            affects[Consumer.DRAKE] = refuses("knows no such material")
+        severity = Severity.ERROR if problem.needed else None
+        affects = unreadable(problem.parent) if problem.needed else {}
+        if problem.is_color and not all(map(is_painted, problem.uses)):
+            severity, affects = Severity.ERROR, {Consumer.DRAKE: refuses("knows no such material")}
         yield self.diagnostic(
             element,
             message + used(len(problem.uses)),
@@ -131,25 +127,27 @@ class UnknownUrdfElement(Rule):
         )
 
 
-def _as_origin(poses: tuple[Element, ...]) -> Fix | None:
+def as_origin(poses: Sequence[Element]) -> Fix | None:
     """The fix that writes each `pose` of SDFormat as an `origin`."""
-    edits = []
-    for pose in poses:
-        source, numbers = pose.span.source, pose.content.split()
-        match = re.compile(r"<pose\s*>[^<>&\"]*</pose\s*>").match(source.text, pose.span.start - 1)
-        if match is None or len(numbers) != 6:
-            return None
-        text = f'<origin xyz="{" ".join(numbers[:3])}" rpy="{" ".join(numbers[3:])}"/>'
-        edits.append(TextEdit(source.span(*match.span()), text))
-    return make_fix("write `origin`", tuple(edits), unsafe=True)
+    numbers = {pose: pose.content.split() for pose in poses}
+    if any(
+        len(words) != 6 or pose.attributes or any(pose.children()) or '"' in pose.content
+        for pose, words in numbers.items()
+    ):
+        return None
+    texts = {
+        pose: f'<origin xyz="{" ".join(words[:3])}" rpy="{" ".join(words[3:])}"/>'
+        for pose, words in numbers.items()
+    }
+    return rewrite("write `origin`", texts)
 
 
-def _as_color(colors: tuple[Element, ...]) -> Fix | None:
+def as_color(colors: Sequence[Element]) -> Fix | None:
     """The fix that writes each `diffuse` of SDFormat as a `color`, where the material has none."""
-    edits = []
-    for color in colors:
-        source, parent = color.span.source, color.parent
-        match = re.compile(r"<diffuse\s*>[^<>&\"]*</diffuse\s*>").match(source.text, color.span.start - 1)
-        if match is not None and parent is not None and not parent.has("color"):
-            edits.append(TextEdit(source.span(*match.span()), f'<color rgba="{color.content}"/>'))
-    return make_fix("write `color`", tuple(edits), unsafe=True) if edits else None
+    diffuse = [color for color in colors if color.name == "diffuse" and not is_painted(color)]
+    return rewrite("write `color`", {color: f'<color rgba="{color.content}"/>' for color in diffuse})
+
+
+def is_painted(color: Element) -> bool:
+    """Has the material of a color of SDFormat one of URDF, or a texture?"""
+    return color.parent is None or color.parent.has("color") or color.parent.has("texture")

@@ -44,12 +44,14 @@ def expand(file: Path, annotate: bool, output_file: Path | None, **given: Any) -
     require_file(file)
     document, outcome = _expand(file, around(given))
     if outcome.document is None or outcome.text is None:
+        from sdfcheck.source.problems import SyntaxDefect
         from sdfcheck.xacro.prepare import stops
         from sdfcheck.xacro.static import analysis
 
         # As lint does: what can be read in the file explains more than what xacro says of it.
         found = [problem for problem in analysis.problems(document) if stops(problem)]
-        _report(_explained(document, found or outcome.problems))
+        is_broken = any(isinstance(problem, SyntaxDefect) for problem in document.problems)
+        _report(_explained(document, () if is_broken else found or outcome.problems))
         return 1
     if annotate:
         from sdfcheck.xacro.origins import annotated

@@ -98,7 +98,7 @@ def undersized(at: Value) -> Mapping[Consumer, Reaction]:
         return {}
     is_point = at.element.name == "sphere" and at.number == 0
     return {
-        **dict.fromkeys(Consumer, warns("takes a shape of no size")),
+        **dict.fromkeys(Consumer, warns("takes the number as it is")),
         Consumer.GAZEBO: warns("takes another value"),
         Consumer.DRAKE: accepts("takes the sphere for a point") if is_point else refuses("aborts"),
         Consumer.MUJOCO: _UNREAD if is_unread_by_mujoco(at) else REFUSES,

@@ -215,13 +215,8 @@ class Packages:
             for folder in self._folders_below(self.root)
             if os.path.basename(folder) == name and "model.config" in names_in(folder)
         )
-        return sorted(
-            found,
-            key=lambda folder: (
-                -len(os.path.commonpath((os.path.abspath(folder), os.path.abspath(near)))),
-                folder,
-            ),
-        )
+        here = os.path.abspath(near)
+        return sorted(found, key=lambda each: (-len(os.path.commonpath((os.path.abspath(each), here))), each))
 
     def _files_beside(self) -> Iterator[Path]:
         for name in names_in(self.root)[:FOLDER_LIMIT]:

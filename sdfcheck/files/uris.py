@@ -143,6 +143,9 @@ def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -
         candidates = (_models if scheme == "model" else _packages)(document, name, around)
         tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
         there = tuple(path for path in tried if os.path.isdir(path))
+        if scheme == "model" and not there:
+            there = _models_of_project(document, name, around)
+            tried += there
         near = () if there else tuple(found for path in tried if (found := around.disk.ignoring_case(path)))
         around.owners[scheme, name] = _Owners(tried, there, near)
     return around.owners[scheme, name]
@@ -165,16 +168,21 @@ def _first(disk: Disk, scheme: str, folders: tuple[str, ...], inside: str = "") 
 
 
 def _models(document: Document, name: str, around: _Surroundings) -> Iterator[str]:
-    library = library_of(document)
-    for folder in library.model_folders if library is not None else ():
-        yield os.path.join(folder, name)
+    if (library := library_of(document)) is not None:
+        for folder in library.model_folders:
+            yield os.path.join(folder, name)
     # The usual layout needs no setting: models side by side, or in a `models` folder near by.
     for above in around.above:
         yield os.path.join(above, name)
         yield os.path.join(above, "models", name)
-    if library is not None and not library.search.is_alone:
-        # To the models of other packages of the project, launch files point Gazebo.
-        yield from library.packages(document.path).models(name, around.folder)
+
+
+def _models_of_project(document: Document, name: str, around: _Surroundings) -> tuple[str, ...]:
+    """The folders of a model in other packages of the project: launch files point Gazebo to those."""
+    library = library_of(document)
+    if library is None or library.search.is_alone:
+        return ()
+    return tuple(library.packages(document.path).models(name, around.folder))
 
 
 def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:

@@ -176,17 +176,19 @@ def folded_attributes(found: list[object]) -> list[object]:
             missing.setdefault(each.element, []).append(each)
         elif not (isinstance(each, UnknownAttribute) and each.child is not None):
             rest.append(each)
-    for element, attributes in written.items():
-        first, *others = missing.get(element, [None])
-        if first is None:
-            names = tuple(each.attribute for each in attributes.values())
-            rest.append(next(iter(attributes.values())).changed(others=names[1:]))
-            continue
-        own = attributes.pop(first.child)
-        names = (own.attribute, *(each.attribute for each in attributes.values()))
-        refused = any(each.refused for each in (first, *filter(None, others)))
-        rest.append(first.changed(attributes=names, refused=refused))
-    return rest
+    return rest + [
+        _as_one(list(each.values()), missing.get(element, [])) for element, each in written.items()
+    ]
+
+
+def _as_one(attributes: list[UnknownAttribute], missing: list[MissingElement]) -> object:
+    """The attributes of an element that should be children, as one problem: of the first child that is missing."""
+    if not missing:
+        first, *others = attributes
+        return first.changed(others=tuple(each.attribute for each in others))
+    ordered = sorted(attributes, key=lambda each: each.child != missing[0].child)
+    names = tuple(each.attribute for each in ordered)
+    return missing[0].changed(attributes=names, refused=any(each.refused for each in missing))
 
 
 def folded_values(found: list[object]) -> list[object]:

@@ -254,7 +254,7 @@ class UnknownUrdfElement(Record):
 
     ``uses`` are all of this name below parents of this name; ``places`` the parents below
     which it would be read. ``needed``: ``suggestion`` is required there and missing. ``attributes``: these should be
-    attributes of the parent.
+    attributes of the parent. ``is_color``: they are all the colors that SDFormat gives materials.
     """
 
     element: Element
@@ -264,6 +264,7 @@ class UnknownUrdfElement(Record):
     uses: tuple[Element, ...]
     needed: bool
     attributes: tuple[Element, ...] = ()
+    is_color: bool = False
 
 
 class UnknownUrdfAttribute(Record):

@@ -156,6 +156,17 @@ def rename(name: str | None, *elements: Element, unsafe: bool = True) -> Fix | N
     return make_fix(f"rename it to `{name}`", tuple(edits), unsafe=unsafe)
 
 
+def rewrite(title: str, texts: Mapping[Element, str]) -> Fix | None:
+    """The unsafe fix that writes elements otherwise, each with all that is in it.
+
+    None without elements, and where that would lose a comment, an entity or an expression of xacro.
+    """
+    edits = [TextEdit(element.document.spans.whole(element), text) for element, text in texts.items()]
+    if not edits or any(mark in edit.span.text for edit in edits for mark in ("<!", "<?", "&", "$")):
+        return None
+    return make_fix(title, tuple(edits), unsafe=True)
+
+
 def make_fix(title: str, edits: tuple[TextEdit, ...], *, unsafe: bool = False) -> Fix:
     """A fix of several edits."""
     return Fix(title, edits, Applicability.UNSAFE if unsafe else Applicability.SAFE)

@@ -2654,12 +2654,12 @@ class MaterialNames:
                 first = self.defined.setdefault(name, material)
                 if first.has_look and first.look != material.look:
                     self.redefined.append((material, first))
-            elif name not in self.defined:
+            elif name not in self.defined and not material.has_foreign_colors:
                 missing.setdefault(name, []).append(material)
         # Where a material has lost its name, that is reported, not wherever it is missed.
         found = missing if len(missing) > nameless else {}
         self.undefined = {name: uses for name, uses in found.items() if not is_expression(name)}
-        """Names of which nothing has said the look so far → the materials that only name them."""
+        """Names of which nothing has said the look so far, not even in SDFormat → the materials that only name them."""
 
     def _used(self) -> Iterator[tuple[str, Material]]:
         for link in self.model.links:
@@ -3073,7 +3073,7 @@ class GazeboBlock(Part):
             return False
         if name in self.document.may_name(_NAMED_PART):
             return False
-        return name not in self.document.others_name(_NAMED_PART, self.element)
+        return name not in self.document.names_of_others(_NAMED_PART, self.element)
 
     @property
     def link(self) -> Link | None:

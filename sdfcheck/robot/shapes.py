@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from sdfcheck.bodies.box import Box
+from sdfcheck.formats.urdf.findings import COLORS_OF_SDFORMAT
 from sdfcheck.robot import solids
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import Number, Vector, lazy
@@ -69,6 +70,11 @@ class Material(Part):
     def has_look(self) -> bool:
         """Does it say what it looks like, instead of naming another?"""
         return self.has("color") or self.has("texture") if self.is_urdf else self.is_given
+
+    @property
+    def has_foreign_colors(self) -> bool:
+        """Has it colors of SDFormat in URDF, where nobody reads them?"""
+        return self.is_urdf and any(map(self.has, COLORS_OF_SDFORMAT))
 
     @property
     def look(self) -> tuple[object, object]:

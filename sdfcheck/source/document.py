@@ -735,7 +735,7 @@ class Document:
         """The names, by the group of the pattern, in the texts that it was made from: parts of it may be called so."""
         return frozenset()
 
-    def others_name(self, pattern: str, element: Element) -> Set[str]:
+    def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         """The names in the texts of other robots, if the one that an element is written in is a part of several."""
         return frozenset()
 

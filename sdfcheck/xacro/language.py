@@ -73,6 +73,8 @@ _EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*
 _OPENING = re.compile(r"(\$+)([{(])?")
 _CLOSING = {"{": "}", "(": ")"}
 
+LEADING = r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<slash>/?)"
+"""The expression with which a name begins, where it is an argument or a property alone."""
 FIND = re.compile(r"find\s+(\S+)\s*$")
 
 

@@ -277,7 +277,7 @@ class ExpandedDocument(Document):
             )
         return self._names[pattern]
 
-    def others_name(self, pattern: str, element: Element) -> Set[str]:
+    def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         return names_beside(self, self.spans.home(element).path, pattern)
 
     @property

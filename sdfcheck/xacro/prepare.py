@@ -39,13 +39,13 @@ from sdfcheck.xacro.static.reasons import with_reason
 
 
 _USES = {
-    ("joint", "parent", "link"): "link",
-    ("joint", "child", "link"): "link",
-    ("joint", "mimic", "joint"): "joint",
-    ("transmission", "joint", "name"): "joint",
-    ("ros2_control", "joint", "name"): "joint",
+    ("joint", "parent"): ("link", "link"),
+    ("joint", "child"): ("link", "link"),
+    ("joint", "mimic"): ("joint", "joint"),
+    ("transmission", "joint"): ("name", "joint"),
+    ("ros2_control", "joint"): ("name", "joint"),
 }
-"""An element of a robot, one in it, and its attribute: the kind of part whose name that is."""
+"""An element of a robot and one in it: the attribute that names a part, and the kind of that."""
 
 
 def is_fragment(document: Document) -> bool:
@@ -64,17 +64,16 @@ def lacks_parts(document: Document) -> bool:
     own = {kind: {part.text_of("name") for part in root.children(kind)} for kind in ("link", "joint")}
     for part in root.children():
         for inner in part.children():
-            for attribute in inner.attributes:
-                kind = _USES.get((part.name, inner.name, attribute))
-                if kind is not None and inner.text_of(attribute) not in own[kind]:
-                    return True
+            attribute, kind = _USES.get((part.name, inner.name), ("", ""))
+            if kind and inner.text_of(attribute) not in own[kind]:
+                return True
     blocks = (block.text_of("reference") for block in root.children("gazebo"))
     if any(name and name not in own["link"] | own["joint"] for name in blocks):
         return True
     visuals = (visual for link in root.children("link") for visual in link.children("visual"))
     materials = [*root.children("material"), *(each for one in visuals for each in one.children("material"))]
     defined = {each.text_of("name") for each in materials if each.has("color") or each.has("texture")}
-    return any(each.text_of("name") not in defined for each in materials)
+    return any((name := each.text_of("name")) and name not in defined for each in materials)
 
 
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)

@@ -182,8 +182,9 @@ def _cause(rest: str) -> Cause:
 
 _ASKED_BY_RULES = frozenset(("inertia", "limit", "mesh"))
 """Elements for whose missing attributes there are rules of their own."""
-_COLORS = frozenset(("ambient", "diffuse", "emissive", "specular"))
-_COLOR = "color of SDFormat"
+COLORS_OF_SDFORMAT = frozenset(("ambient", "diffuse", "emissive", "specular"))
+"""The colors of a material there; URDF has one ``color``."""
+_COLOR = "a color of SDFormat"
 _EXPRESSION = re.compile(r"\$\{[^}]*\}?|\$\([^)]*\)?")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 
@@ -217,7 +218,8 @@ class UrdfFindings(Findings):
     def unknown_child(self, child: Element, parent: Element, place: Definition) -> None:
         self.places[parent] = place
         self.parents[child] = parent
-        name = _COLOR if place.name == "material" and child.name in _COLORS else child.name
+        is_color = place.name == "material" and child.name in COLORS_OF_SDFORMAT
+        name = _COLOR if is_color else child.name
         self.unknown.setdefault((place.name, name), []).append(child)
 
     def repeated(self, element: Element, first: Element, parent: Element) -> bool:
@@ -336,20 +338,21 @@ class UrdfFindings(Findings):
         """Make one problem of the children of an element that should be attributes of it, missing ones included."""
         written: dict[Element, list[Element]] = {}
         for key, uses in self.unknown.items():
-            meant = [one for one in uses if one.name in self.places[self.parents[one]].attributes]
-            for one in meant:
-                written.setdefault(self.parents[one], []).append(one)
-            self.unknown[key] = [one for one in uses if one not in meant]
+            self.unknown[key] = []
+            for one in uses:
+                is_attribute = one.name in self.places[self.parents[one]].attributes
+                others = written.setdefault(self.parents[one], []) if is_attribute else self.unknown[key]
+                others.append(one)
+        found, self.found = self.found, []
         lacking: dict[Element, problems.MissingAttribute] = {}
-        found: list[object] = []
-        for each in self.found:
-            if isinstance(each, problems.MissingAttribute) and any(
-                one.name == each.attribute for one in written.get(each.element, ())
-            ):
+        for each in found:
+            children = written.get(each.element, ()) if isinstance(each, problems.MissingAttribute) else ()
+            if isinstance(each, problems.MissingAttribute) and each.attribute in {
+                one.name for one in children
+            }:
                 lacking.setdefault(each.element, each)
             else:
-                found.append(each)
-        self.found = found
+                self.found.append(each)
         for parent, children in written.items():
             if (missing := lacking.get(parent)) is not None:
                 self.found.append(missing.changed(elements=tuple(children)))
@@ -361,12 +364,18 @@ class UrdfFindings(Findings):
 
     def conclude(self) -> list[object]:
         self.fold_attributes()
-        for uses in filter(None, self.unknown.values()):
+        for (_, key), uses in self.unknown.items():
+            if not uses:
+                continue
             parent = self.parents[uses[0]]
             near = meant_child(uses[0], self.places[parent])
             needed = near is not None and _needs(parent, self.places[parent], near)
             places = known_parents(uses[0].name)
-            self.found.append(problems.UnknownUrdfElement(uses[0], parent, near, places, tuple(uses), needed))
+            self.found.append(
+                problems.UnknownUrdfElement(
+                    uses[0], parent, near, places, tuple(uses), needed, is_color=key == _COLOR
+                )
+            )
         for values in self.unknown_values.values():
             element, name = values[0].element, values[0].attribute
             assert name is not None

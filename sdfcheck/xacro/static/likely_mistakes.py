@@ -16,6 +16,7 @@ from sdfcheck.xacro.language import (
     BUILT_IN,
     DEPRECATED,
     KEYWORDS,
+    LEADING,
     ONLY_IN_MODULE,
     PREFIX,
     Parameter,
@@ -129,14 +130,14 @@ _COMPARED_TRUTH = re.compile(
 _TRUTHS = frozenset(("true", "false", "True", "False"))
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<slash>/?)(?P<rest>\w+)")
-_LED = re.compile(
-    r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<slash>/?)(?P<rest>.+)"
-)
+_LED = re.compile(rf"{LEADING}(?P<rest>.+)")
 _DOUBLED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}[/_]?\$\{\s*(?P=parameter)\s*\}")
 _ASKED = re.compile(r"\s*\$\(arg\s+(\w+)\s*\)\s*")
 _SLASH = re.compile(r"[})]/")
 _LINK = re.compile(r"^(?:parent|child)$|_link$|^link_")
 """Parameters of macros that are called so name links."""
+_LONGEST_PREFIX = 100
+"""The characters of a longer one are not looked through."""
 _MOST_INCLUDERS = 8
 """So many files that include one are read for the names that it may use."""
 _OF_GAZEBO = frozenset(("bodyname", "jointname", "linkname"))
@@ -389,7 +390,9 @@ def _names_by_default(read: Reading, visible: Definitions) -> Iterator[Oversight
         for element, macro in each.elements
         if element.name in {"link", "joint"}
     }
-    defined = dict(reversed([*_defined_by_default(named, around)]))
+    defined: dict[_Key, Element] = {}
+    for key, element in _defined_by_default(named, around):
+        defined.setdefault(key, element)
     plain = {_key(*each) for each in named.values()}
     for value, element, macro in uses:
         name = value.text.strip()
@@ -439,7 +442,8 @@ def _possible_uses(read: Reading) -> Iterator[tuple[Value, Element, Element | No
     for element, macro in read.elements if endings else ():
         for value in _uses(element):
             name = value.text.strip()
-            if name.endswith(endings) and (is_literal(name) or name in endings):
+            starts = range(min(len(name), _LONGEST_PREFIX)) if is_literal(name) else (0,)
+            if any(name[start:] in endings for start in starts):
                 yield value, element, macro
 
 

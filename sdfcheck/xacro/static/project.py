@@ -13,7 +13,7 @@ from sdfcheck.files.packages import Packages
 from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.xacro.language import FIND, is_literal, matches
+from sdfcheck.xacro.language import FIND, LEADING, is_literal, matches
 
 FILE_LIMIT = 1000
 """So many files of a project are looked through for definitions, no more."""
@@ -30,9 +30,7 @@ _ARGUMENT = re.compile(
     r"<xacro:(?:arg|property)\b[^<>]*?\s(?:default|value)\s*=\s*[\"']([^\"'<>]+\.\w+)[\"']"
 )
 """An argument or property may hold the name of a file that is included."""
-_LED = re.compile(
-    r"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"'](?:\$\{\s*\w+\s*\}|\$\(arg\s+\w+\s*\))/?([^\"'<>]+)[\"']"
-)
+_LED = re.compile(rf"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"']{LEADING}(?P<rest>[^\"'<>]+)[\"']")
 """A link or joint whose name begins with an expression."""
 _GLOB = re.compile(r"[*?\[]")
 _LITERAL = re.compile(r"\w")
@@ -84,11 +82,11 @@ class _Project:
                     if own == "macro" or not depth:
                         self.definers.setdefault((own, name), []).append(path)
                 depth += (own == "macro") - match[0].startswith("</")
-            endings.update(_LED.findall(text))
+            endings.update(_endings(text))
             for match in _PARAMETERS.finditer(text):
                 names.update(_WORD.findall(match[1] or match[2] or ""))
         self.names = frozenset(names)
-        self.endings = tuple(sorted(endings))
+        self.endings = frozenset(endings)
         """The names of links and joints that begin with an expression, without that."""
 
     def of(self, name: str) -> list[_Filename]:
@@ -165,12 +163,16 @@ def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:
     return frozenset((value[1] or value[2] or "").strip() if value else "" for value in values)
 
 
-def name_endings(document: Document) -> tuple[str, ...]:
+def name_endings(document: Document) -> frozenset[str]:
     """The names of links and joints in the document's project that begin with an expression, each without that."""
     library = library_of(document)
     if library is None or library.search.is_alone:
-        return tuple(_LED.findall(document.source.text))
+        return frozenset(_endings(document.source.text))
     return _project(library, document).endings
+
+
+def _endings(text: str) -> Iterator[str]:
+    return (match["rest"] for match in _LED.finditer(text))
 
 
 def project_names(document: Document) -> frozenset[str]:

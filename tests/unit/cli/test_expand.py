@@ -56,6 +56,9 @@ def test_the_file_explains_a_failure_as_lint_does(folder: Path, capfd: pytest.Ca
     (folder / "bare.xacro").write_text('<robot name="r" xmlns:xacro="x"><xacro:arg name="n"/></robot>')
     assert main(["expand", "bare.xacro"]) == 1
     assert "error[XAC011]: `xacro:arg` has no `default`" in capfd.readouterr().err
+    (folder / "bare.xacro").write_text('<robot name="r"><link')
+    assert main(["expand", "bare.xacro"]) == 1
+    assert capfd.readouterr().err.count("error[") == 1
 
 
 @pytest.mark.parametrize(
