@@ -18,6 +18,8 @@ class Absences:
         self.owners: dict[tuple[str, str], list[Resource]] = {}
         """Scheme and name of a model or package → resources."""
         self.folders: dict[str, list[Resource]] = {}
+        self.submodules: dict[str, list[Resource]] = {}
+        """Folders without content, as those of submodules that are not checked out → resources."""
         for resource in missing:
             self._take(resource)
 
@@ -25,6 +27,9 @@ class Absences:
         location = resource.location
         if location is not None and location.is_searched_for and location.owner is None:
             self.owners.setdefault((location.scheme, location.name), []).append(resource)
+            return
+        if empty := resource.empty_folder:
+            self.submodules.setdefault(empty, []).append(resource)
             return
         path = expected(resource)
         folder = None if path is None else os.path.dirname(path) or os.curdir

@@ -32,7 +32,8 @@ class MissingFile(Rule):
     refuse a file of which a mesh is missing. A model or package that is nowhere on the search path is a warning,
     once for each, because another computer may have it: set `model-paths`, `package-paths` or
     `packages` in the configuration. So is a folder that is not there at all or holds no
-    other file of the kind, because meshes are often kept elsewhere.
+    other file of the kind, because meshes are often kept elsewhere, or nothing at all, as that of a submodule
+    that is not checked out.
     Nothing is ever fetched from the network.
     """
 
@@ -119,6 +120,13 @@ class MissingFile(Rule):
                 continue
             yield self.together(uses, message, advice)._replace(
                 missing=Missing(MissingKind(location.scheme), location.name, len(uses))
+            )
+        for folder, uses in absences.submodules.items():
+            name = place(part.document, folder)
+            message = f"folder `{name}` is empty: it may be a submodule that is not checked out"
+            advice = "; fetch it with `git submodule update --init`"
+            yield self.together(uses, message, advice)._replace(
+                missing=Missing(MissingKind.SUBMODULE, name, len(uses))
             )
         for folder, uses in absences.folders.items():
             yield self.together(uses, f"there is no folder `{place(part.document, folder)}`")

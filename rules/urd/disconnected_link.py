@@ -69,7 +69,7 @@ class DisconnectedLink(Rule):
             if len(group) == 1:
                 link = group[0]
                 message = f"no joint ties {link.title} to the rest of the robot"
-                may_be = link.name in robot.document.may_name(END)
+                may_be = robot.document.may_name(END, link.name)
                 if may_be:
                     message += ", unless an argument brings one"
                 known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}

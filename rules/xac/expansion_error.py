@@ -1,6 +1,18 @@
 from collections.abc import Iterator, Mapping
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Origin, Rule, Severity, problems, warns
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Missing,
+    MissingKind,
+    Origin,
+    Rule,
+    Severity,
+    problems,
+    warns,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.unreached import unless_reached
 
@@ -9,6 +21,7 @@ _HELP: Mapping[str, str] = {
     "variable": "set it, and pass it on with `--env {detail}` or `env` in the configuration",
     "withheld": "pass it on with `--env {detail}` or `env` in the configuration",
     "file": 'correct the path, or write `optional="true"` if the file need not be there',
+    "submodule": "fetch it with `git submodule update --init`, or correct the path",
     "syntax": "correct the file that is included",
     "text": "save the file as UTF-8",
     "pattern": "correct the pattern, or remove the include: xacro includes nothing here, and warns",
@@ -24,6 +37,7 @@ _MESSAGES: Mapping[str, str] = {
     "syntax": "the included file is not well-formed: {detail}",
     "recursion": "macro `{detail}` calls itself without end",
     "file": "cannot read {detail}",
+    "submodule": "folder `{detail}` is empty: it may be a submodule that is not checked out",
 }
 
 
@@ -102,6 +116,8 @@ class ExpansionError(Rule):
             own["help"] = ""
         elif kind in {"argument", "pattern"} or (reason is not None and reason.argument):
             own["severity"] = Severity.WARNING
+        if kind == "submodule":
+            own |= {"severity": Severity.WARNING, "missing": Missing(MissingKind.SUBMODULE, problem.detail)}
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)

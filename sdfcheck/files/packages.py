@@ -12,6 +12,9 @@ from sdfcheck.files.regular import MEGABYTE, is_below, is_made_up, names_in, rea
 FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
 
+TEMPLATE = ".in"
+"""The suffix of a file of which CMake makes the one without it."""
+
 _NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
 _COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _FOREIGN = frozenset({"build", "install", "log", "devel", "node_modules", "site-packages", "__pycache__"})
@@ -175,7 +178,8 @@ class Packages:
         """The file that a path into a package leads to, which may hold only once the package is installed.
 
         ``<package>/urdf/arm.xacro`` is ``<package>/description/urdf/arm.xacro`` if
-        CMakeLists.txt installs it so. A path that leads nowhere is returned as it is.
+        CMakeLists.txt installs it so, and ``arm.xacro.in`` if a build makes it of that. A path
+        that leads nowhere is returned as it is.
         """
         if os.path.exists(path):
             return path
@@ -190,7 +194,8 @@ class Packages:
                     if os.path.exists(found):
                         return found
             break
-        return path
+        template = path.with_name(path.name + TEMPLATE)
+        return template if os.path.isfile(template) else path
 
     def files(self, suffix: str, limit: int) -> Iterator[Path]:
         """The project's files of one suffix, at most ``limit``."""
@@ -235,7 +240,7 @@ class Packages:
                 yield share
         for folder in (*self.paths, self.root):
             same = [place for place in self._folders_below(folder) if os.path.basename(place) == name]
-            if len(same) == 1:
+            if len(same) == 1 and names_in(same[0]):  # a submodule that is not checked out is empty
                 yield Path(same[0])
 
     def _package_files(self, root: Path) -> dict[str, Path]:

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sdfcheck.files.library import Disk, folders_above, library_of
+from sdfcheck.files.regular import is_below, names_in
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 
@@ -77,6 +78,19 @@ def locate(document: Document, uri: str) -> Location:
     if found is None:
         found = surroundings.located[uri] = _locate(document, uri.strip(), surroundings)
     return found
+
+
+def empty_folder(document: Document, path: str | os.PathLike[str]) -> str:
+    """The folder above a path that is there, if it holds nothing, as one of a submodule that is not checked out.
+
+    The folder of the document itself may be empty: its text may not be saved yet.
+    """
+    folder, own = os.path.dirname(os.path.abspath(path)), os.path.abspath(document.path)
+    while not os.path.isdir(folder):
+        folder, below = os.path.dirname(folder), folder
+        if folder == below:
+            return ""
+    return "" if names_in(folder) or is_below(own, (folder,)) else folder
 
 
 class _Owners(NamedTuple):

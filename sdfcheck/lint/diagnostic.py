@@ -63,6 +63,7 @@ class MissingKind(Enum):
     MODEL = "model"
     REMOTE = "address on the network"
     LFS = "Git LFS file"
+    SUBMODULE = "submodule"
 
 
 class Missing(NamedTuple):

@@ -92,7 +92,13 @@ STANDARD_MODELS = frozenset({"ground_plane", "sun"})
 """Models without a robot in them that most worlds include, and most computers have."""
 
 
-_SHOWN = {MissingKind.PACKAGE: 8, MissingKind.MODEL: 8, MissingKind.REMOTE: 3, MissingKind.LFS: 3}
+_SHOWN = {
+    MissingKind.PACKAGE: 8,
+    MissingKind.MODEL: 8,
+    MissingKind.REMOTE: 3,
+    MissingKind.LFS: 3,
+    MissingKind.SUBMODULE: 8,
+}
 _SETTINGS = {
     MissingKind.PACKAGE: (
         "set ROS_PACKAGE_PATH or AMENT_PREFIX_PATH, or give --package-path FOLDER or --package NAME=PATH"
@@ -100,6 +106,7 @@ _SETTINGS = {
     MissingKind.MODEL: "set GZ_SIM_RESOURCE_PATH or GAZEBO_MODEL_PATH, or give --model-path FOLDER",
     MissingKind.REMOTE: "nothing is fetched from the network: download them, and give --model-path FOLDER",
     MissingKind.LFS: "only pointers to them are here: fetch them with `git lfs pull`",
+    MissingKind.SUBMODULE: "their folders are empty: fetch them with `git submodule update --init`",
 }
 
 

@@ -3071,7 +3071,7 @@ class GazeboBlock(Part):
             return False
         if is_expression(name) or name in self.model.link_names.unknown:
             return False
-        if name in self.document.may_name(_NAMED_PART):
+        if self.document.may_name(_NAMED_PART, name):
             return False
         return name not in self.document.names_of_others(_NAMED_PART, self.element)
 

@@ -88,6 +88,14 @@ class FileUse(Part):
         return locate(self.document, self.uri_value.text)
 
     @property
+    def empty_folder(self) -> str:
+        """The folder without content in which it is looked for first, as of a submodule that is not checked out."""
+        from sdfcheck.files.uris import empty_folder
+
+        tried = () if self.location is None else self.location.tried
+        return empty_folder(self.document, tried[0]) if tried else ""
+
+    @property
     def leads_nowhere(self) -> bool:
         """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
         raise NotImplementedError

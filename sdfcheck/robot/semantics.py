@@ -22,7 +22,7 @@ from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import is_expression
-from sdfcheck.xacro.language import matches
+from sdfcheck.xacro.language import may_become
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import Joint, Link, Model
@@ -39,7 +39,7 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
-_NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"'](?:\$\{{[^{{}}]*\}})?([^\"']*)[\"']"
+_NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A link or joint in a branch of xacro that the arguments do not take."""
 
 
@@ -103,7 +103,7 @@ class Semantics:
     @lazy
     def links_of(self) -> dict[str, frozenset[str]]:
         """Name of a group → its links as MoveIt collects them: children of its joints; empty if unsure or too many."""
-        robot = self.robots[0] if len(self.robots) == 1 and not any(self.unknown) else None
+        robot = self.robots[0] if len(self.robots) == 1 and not any(self._unfound) else None
         if robot is None or any(self.unknown_groups):
             return {}
         above = {joint.child_name: joint.parent_name for joint in robot.joints}
@@ -230,13 +230,18 @@ class Semantics:
 
     @property
     def unknown(self) -> Iterator[NamedPart]:
-        """The names that no robot has which the file may be about."""
+        """The names that no robot has which the file may be about, whatever its arguments are."""
+        for part in self._unfound:
+            pattern, name = _NAMED.format(part.kind), part.value.text.strip()
+            if not any(robot.document.may_name(pattern, name) for robot in self.robots):
+                yield part
+
+    @property
+    def _unfound(self) -> Iterator[NamedPart]:
+        """The names that none of the robots has as it is expanded."""
         for part in self.named if self.robots else ():
             name = part.value.text.strip()
-            if self.is_added(part) or any(name in names(robot, part.kind) for robot in self.robots):
-                continue
-            pattern = _NAMED.format(part.kind)
-            if not any(name in robot.document.may_name(pattern) for robot in self.robots):
+            if not self.is_added(part) and not any(name in names(robot, part.kind) for robot in self.robots):
                 yield part
 
     def is_added(self, part: NamedPart) -> bool:
@@ -430,10 +435,7 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         semantics.has_kinematics = any(
             file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
         )
-    for meant in declared(path, library.packages(path)):
-        if (head := _own_head(meant.path, semantics)) is None:
-            continue
-        robot = _robot(meant.path, head, semantics, expand, meant.arguments)
+    for robot in _declared_robots(semantics, library, expand):
         if robot is not None and _score(semantics, robot) >= _FEWEST:
             semantics.robots = (robot,)
             return
@@ -446,11 +448,21 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         if best >= _FEWEST:
             semantics.robots = tuple(robot for score, robot in scored if score == best)
             return
-        if packages is own and scored and best == 0 and is_complete:
+        if packages is own and not is_complete:
+            return  # the robot that is meant is likely the one that cannot be expanded
+        if packages is own and scored and best == 0:
             semantics.strangers = tuple(robot for _, robot in scored)
     if not semantics.strangers:
         semantics.robots = tuple(_called_alike(semantics, own))
         semantics.namesake = _namesake(semantics, own)
+
+
+def _declared_robots(semantics: Semantics, library: Library, expand: Expand | None) -> Iterator[Model | None]:
+    """The robots of its name for which MoveIt's assistant made the file; None for each that cannot be expanded."""
+    path = semantics.document.path
+    for meant in declared(path, library.packages(path)):
+        if (head := _own_head(meant.path, semantics)) is not None:
+            yield _robot(meant.path, head, semantics, expand, meant.arguments)
 
 
 def _called_alike(semantics: Semantics, packages: Packages) -> Iterator[Model]:
@@ -502,7 +514,7 @@ def descriptions_of(semantics: Semantics) -> Iterator[Document]:
         head = _head(file, semantics) if file not in seen else None
         seen.add(file)
         is_alike = file in meant or _stem(file) == stem
-        if head is None or not (is_alike or _may_be(head.name, semantics.name)):
+        if head is None or not (is_alike or may_become(head.name, semantics.name)):
             continue
         if (found := library.document(file, head.kind, semantics.document)) is not None:
             yield found
@@ -552,20 +564,6 @@ def _alike_first(semantics: Semantics, library: Library) -> Iterator[Path]:
         yield from sorted(files, key=lambda file: _stem(file) != _stem(path))
 
 
-def _may_be(written: str, name: str) -> bool:
-    """Is this the name of a robot, or may its expressions come to it?"""
-    bounds = [0, *(place for match in matches(written) for place in match.span()), len(written)]
-    first, *others = (written[start:end] for start, end in zip(bounds[::2], bounds[1::2], strict=True))
-    if not others:
-        return written == name
-    *middle, last = others
-    at = len(first) if name.startswith(first) else -1
-    for piece in middle:
-        found = name.find(piece, at + 1) if at >= 0 else -1
-        at = found + len(piece) if found >= 0 else -1
-    return any((first, *others)) and 0 <= at < len(name) - len(last) and name.endswith(last)
-
-
 def _stem(path: Path) -> str:
     return path.name.partition(".")[0]
 
@@ -594,6 +592,8 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
         if head is None:
             continue
         robot = _robot(path, head, semantics, expand)
+        if robot is not None and robot.name != semantics.name:
+            continue  # an expression gives another name
         if robot is None or robot.links:
             found += robot is not None
             yield robot
@@ -637,9 +637,10 @@ def _head(path: Path, semantics: Semantics) -> _Head | None:
 
 
 def _own_head(path: Path, semantics: Semantics) -> _Head | None:
-    """The beginning of a file that describes a robot of the name; None: it does not."""
+    """The beginning of a file that describes a robot of the name, or of one that an expression gives."""
     head = _head(path, semantics)
-    return head if head is not None and head.name == semantics.name else None
+    is_own = head is not None and (head.name == semantics.name or is_expression(head.name))
+    return head if is_own else None
 
 
 def _robot(
@@ -656,6 +657,8 @@ def _robot(
     document.library = semantics.document.library
     if kind is Kind.XACRO:
         document = expand(document, arguments) if expand is not None else None
+        if document is not None:
+            document.library = semantics.document.library
     if document is None or document.root is None or document.root.name != "robot":
         return None
     return root_of(document).scopes[0]  # type: ignore[return-value]

@@ -731,9 +731,9 @@ class Document:
         """Whether the texts that it was made from have a place that fits, which may become a part of it."""
         return False
 
-    def may_name(self, pattern: str) -> Set[str]:
-        """The names, by the group of the pattern, in the texts that it was made from: parts of it may be called so."""
-        return frozenset()
+    def may_name(self, pattern: str, name: str) -> bool:
+        """Do the texts that it was made from give a name, by the last group of the pattern, where it has nothing?"""
+        return False
 
     def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         """The names in the texts of other robots, if the one that an element is written in is a part of several."""

@@ -126,6 +126,20 @@ def is_literal(text: str) -> bool:
     return "${" not in text and "$(" not in text
 
 
+def may_become(written: str, name: str) -> bool:
+    """Is a text this one, or may its expressions come to it? One without any other character says nothing."""
+    bounds = [0, *(place for match in matches(written) for place in match.span()), len(written)]
+    first, *others = (written[start:end] for start, end in zip(bounds[::2], bounds[1::2], strict=True))
+    if not others:
+        return written == name
+    *middle, last = others
+    at = len(first) if name.startswith(first) else -1
+    for piece in middle:
+        found = name.find(piece, at + 1) if at >= 0 else -1
+        at = found + len(piece) if found >= 0 else -1
+    return any((first, *others)) and 0 <= at < len(name) - len(last) and name.endswith(last)
+
+
 def syntax_tree(code: str, mode: str = "eval") -> ast.AST:
     """The tree of an expression of Python; of a program with the mode ``exec``.
 

@@ -6,8 +6,10 @@ import os
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence, Set
+from itertools import chain
 from pathlib import Path
 
+from sdfcheck.files.library import library_of
 from sdfcheck.files.regular import Bounds, read_regular
 from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document, Element, Spans
@@ -15,9 +17,17 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.scanner.scan import Scan, quick_scan
 from sdfcheck.source.scanner.start_tag import START, StartTag
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span, Step, relative_path
+from sdfcheck.xacro.language import is_literal, may_become
+from sdfcheck.xacro.static.definitions import visible_definitions
 from sdfcheck.xacro.static.project import names_beside
 
+_CALLED = (
+    r"<xacro:macro\s[^<>]*?\bname\s*=\s*[\"'](?P<macro>[^\"'<>]+)[\"']|(?P<end></xacro:macro)|"
+    r"<xacro:(?P<call>[\w.-]+)"
+)
+"""The beginning and the end of a macro, and what may be a call of one."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
 
@@ -250,7 +260,7 @@ class ExpandedDocument(Document):
 
     def __init__(self, source: Source, provenance: Provenance) -> None:
         self.provenance = provenance
-        self._names: dict[str, frozenset[str]] = {}
+        self._names: dict[str, tuple[str, ...]] = {}
         super().__init__(source, None, [])
 
     @property
@@ -270,12 +280,44 @@ class ExpandedDocument(Document):
     def may_write(self, pattern: str) -> bool:
         return any(re.search(pattern, text) for text in self._texts)
 
-    def may_name(self, pattern: str) -> Set[str]:
+    def may_name(self, pattern: str, name: str) -> bool:
         if pattern not in self._names:
-            self._names[pattern] = frozenset(
-                name for text in self._texts for name in re.findall(pattern, text)
-            )
-        return self._names[pattern]
+            self._names[pattern] = tuple(dict.fromkeys(self._unreached_names(pattern)))
+        return any(may_become(written, name) for written in self._names[pattern])
+
+    def _unreached_names(self, pattern: str) -> Iterator[str]:
+        """The names, by the group of a pattern, where the expansion wrote nothing and another one may.
+
+        Those that hold expressions in the body of a macro only if a call of it is there, too.
+        """
+        calls, bodies, names = set[str](), list[tuple[str, str]](), list[str]()
+        for source in self._sources:
+            reached = self.provenance.offsets_in(source.path)
+            macro = ""
+            for match in re.finditer(rf"{_CALLED}|{pattern}", _blanked(source.text)):
+                if match["macro"] or match["end"]:
+                    macro = match["macro"] or ""
+                elif match.start() in reached:
+                    continue
+                elif match["call"]:
+                    calls.add(match["call"])
+                elif macro and not is_literal(match[match.lastindex or 0]):
+                    bodies.append((macro, match[match.lastindex or 0]))
+                else:
+                    names.append(match[match.lastindex or 0])
+        return chain(names, (name for macro, name in bodies if macro in calls))
+
+    @property
+    def _sources(self) -> Iterator[Source]:
+        """The files that were expanded, and those that they include where the expansion did not get."""
+        yield from self.provenance.files
+        top = self.provenance.sources.top
+        library = library_of(self)
+        document = library.document(top.path, Kind.XACRO, self) if library is not None else None
+        if document is not None:
+            known = {source.path for source in self.provenance.files}
+            found = (read.document.source for read in visible_definitions(document).readings)
+            yield from (source for source in found if source.path not in known)
 
     def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         return names_beside(self, self.spans.home(element).path, pattern)
@@ -325,6 +367,11 @@ class ExpandedDocument(Document):
                 moved = start - comment[0]
                 return self.spans.span(element, span.start + moved, span.end + moved)
         return None
+
+
+def _blanked(text: str) -> str:
+    """A text without its comments, of the same length."""
+    return _COMMENT.sub(lambda comment: " " * len(comment[0]), text)
 
 
 # The expanded text with comments that say where each element was written.

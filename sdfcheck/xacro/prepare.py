@@ -5,11 +5,12 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
+from sdfcheck.files.packages import TEMPLATE
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import Source, Span
 from sdfcheck.xacro.expansion import Expander, Expansion
 from sdfcheck.xacro.language import PREFIX
 from sdfcheck.xacro.origins import ExpandedDocument
@@ -131,8 +132,27 @@ def prepare(
         failures = [problem for each in known for problem in each.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
     documents = tuple(_documents(expansions, document))
+    found = [each for each in found if not _is_template(each.span.source)]
     explained = [with_reason(problem, document) for problem in _merged(found)]
-    return Prepared(tuple(explained), documents, shown)
+    return _without_templates(Prepared(tuple(explained), documents, shown))
+
+
+def _without_templates(prepared: Prepared) -> Prepared:
+    """Let no robot be judged as a whole of which a build makes a part."""
+    unfinished = tuple(filter(_holds_template, prepared.documents))
+    for part in unfinished:
+        part.is_open = True
+    finished = tuple(each for each in prepared.documents if each not in unfinished)
+    return prepared._replace(documents=finished, partial=(*prepared.partial, *unfinished))
+
+
+def _holds_template(document: ExpandedDocument) -> bool:
+    """Is a part of a robot made of what a build would change first?"""
+    return any(map(_is_template, document.provenance.files))
+
+
+def _is_template(source: Source) -> bool:
+    return source.path.suffix == TEMPLATE
 
 
 def _goes_on(expansion: Expansion) -> bool:
@@ -230,10 +250,10 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
 
 
 def _subject(problem: Problem) -> object:
-    """The subject of a problem: one package or argument that is not known is one problem wherever it is asked for."""
+    """The subject of a problem: a package, argument or key that is not known is one, wherever it is asked for."""
     if isinstance(problem, UnknownPackage):
         return problem.name
-    if isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT:
+    if isinstance(problem, ExpansionFailure) and (problem.kind is Failure.ARGUMENT or problem.is_absence):
         return problem.detail
     return problem.span.source.path, problem.span.start, problem.span.end
 

@@ -128,6 +128,7 @@ class Failure(Enum):
     VARIABLE = "variable"
     WITHHELD = "withheld"
     FILE = "file"
+    SUBMODULE = "submodule"
     SYNTAX = "syntax"
     TEXT = "text"
     PATTERN = "pattern"
@@ -151,6 +152,10 @@ class Reason(Record):
     help: str = ""
 
 
+NO_KEY = "the YAML has no key"
+"""The beginning of the reason why an expression fails that asks for one."""
+
+
 class ExpansionFailure(Record):
     """xacro cannot expand the file; ``detail`` is the name or the reason that the kind of failure has.
 
@@ -165,6 +170,11 @@ class ExpansionFailure(Record):
     is_dormant: bool = False
     reason: Reason | None = None
     cause: Span | None = None
+
+    @property
+    def is_absence(self) -> bool:
+        """Does a file that it reads lack a key, wherever that is asked for?"""
+        return self.kind is Failure.EXPRESSION and self.detail.startswith(NO_KEY)
 
 
 class UndeclaredXacroPrefix(Record):

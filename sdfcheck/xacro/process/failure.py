@@ -11,11 +11,13 @@ from xml.parsers.expat import ExpatError, errors
 
 from xacro.substitution_args import ArgException
 
+from sdfcheck.xacro.problems import NO_KEY
 from sdfcheck.xacro.process.interpreter import Refused, TooMuch
 from sdfcheck.xacro.process.trace import KEY, Step, Tracer, Written
 
 _TEXT_NODE = 3
 _STACK = re.compile(r"\n?when evaluating expression .*", re.DOTALL)
+_NO_KEY = "The yaml dictionary has no key"
 _COUNTED = ("Invalid parameter", "Undefined parameters", "Not enough blocks", "Unused block")
 
 
@@ -168,6 +170,8 @@ def _words(root: BaseException, text: str) -> str:
         text = root.msg
     if isinstance(root, KeyError):
         text = f"there is no {text}"
+    if text.startswith(_NO_KEY):
+        text = f"{NO_KEY} `{text.partition(chr(39))[2].rstrip(chr(39))}`"
     if type(root).__module__.partition(".")[0] == "yaml":
         text = "malformed YAML: " + " ".join(str(root).split())
     return text.rstrip(".") or type(root).__name__

@@ -12,7 +12,7 @@ from typing import cast
 
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.urdf.schema import VERSIONS, known_parents, urdf
+from sdfcheck.formats.urdf.schema import VERSIONS, control, known_parents, urdf
 from sdfcheck.formats.urdf.survey import UrdfWalk
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.language import PREFIX
@@ -97,8 +97,8 @@ def _place(body: Element) -> Definition | None:
     if _is_of_others(body):
         return None
     robot = urdf()
-    if body.name == "robot":
-        return robot
+    if body.name == "robot":  # or what is included in a ros2_control of one
+        return robot if _surplus(body, robot) >= _surplus(body, control()) else None
     if body.name in TRANSPARENT and (path := _path(body)) is not None:
         return robot.at(path)
     best, place = 0, None
@@ -135,6 +135,12 @@ def _is_of_others(body: Element) -> bool:
         if call.name.rpartition(".")[2] == name
     ]
     return bool(calls) and all(map(is_free, calls))
+
+
+def _surplus(body: Element, place: Definition) -> int:
+    """How many more names in an element are known at a place than foreign."""
+    known, foreign = _fit(body, place)
+    return known - foreign
 
 
 def _fit(parent: Element, place: Definition) -> tuple[int, int]:

@@ -10,10 +10,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.files.regular import names_in
+from sdfcheck.files.uris import empty_folder
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
-from sdfcheck.source.text import Source, Span, Step
+from sdfcheck.source.text import Source, Span, Step, relative_path
 from sdfcheck.xacro.language import BUILT_IN, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
@@ -55,6 +56,7 @@ _FOREIGN = {
 """Elements of other languages → what xacro has instead."""
 
 _ARGUMENT = re.compile(r"(?<!['\"])\$\(arg\s+(\w+)\)")
+_ASKED = re.compile(r"\$\(arg\s+(\w+)\s*\)")
 _LONGEST = 1000
 """Characters of an expression that is looked at."""
 _NO_LETTER = re.compile(r"\W")
@@ -84,6 +86,8 @@ def with_reason(problem: Problem, document: Document) -> Problem:
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
         reason = _of_expression(problem, visible_definitions(document)) or _of_value(problem, document)
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.FILE:
+        if folder := _empty_folder(problem, document):
+            return problem.changed(kind=Failure.SUBMODULE, detail=folder)
         reason = _of_file(problem, document)
     else:
         return problem
@@ -236,7 +240,12 @@ def _of_value(problem: ExpansionFailure, document: Document) -> Reason | None:
     if not found:
         return None
     name, text, place = found[0]
-    return Reason(f"`{name}` is `{text}`", place, f"`{name}` is set here")
+    label = f"`{name}` is set here"
+    for asked, default, _ in found if problem.is_absence else ():
+        if match := _ASKED.fullmatch(asked):
+            words = f"the default of argument `{match[1]}` is `{default}`"
+            return Reason(words, place, label, argument=match[1])
+    return Reason(f"`{name}` is `{text}`", place, label)
 
 
 def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
@@ -252,6 +261,14 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
             if each.casefold() == path.name.casefold():
                 return Reason(f"did you mean `{each}`?")
     return _of_default(path, problem.span.text, document)
+
+
+def _empty_folder(problem: ExpansionFailure, document: Document) -> str:
+    """The folder without content that a missing file should be in, as seen from the file that names it."""
+    name, folder = problem.detail.rpartition(": ")[0], problem.span.source.path.parent
+    if "$" in name or document.library is None or not (empty := empty_folder(document, folder / name)):
+        return ""
+    return relative_path(empty, folder)
 
 
 def _of_default(path: Path, written: str, document: Document) -> Reason | None:

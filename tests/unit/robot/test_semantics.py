@@ -9,8 +9,9 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library
-from sdfcheck.robot.semantics import _may_be, descriptions_of, semantics_in
+from sdfcheck.robot.semantics import descriptions_of, semantics_in
 from sdfcheck.source.sniff import Kind
+from sdfcheck.xacro.language import may_become
 
 LIMIT = '<limit lower="-1" upper="1" effort="5" velocity="2"/>'
 ROBOT = (
@@ -178,4 +179,54 @@ def test_groups_and_names_do_not_take_long(package: Path, text: str, name: str, 
     ],
 )
 def test_a_name_with_expressions_may_be_another(written: str, name: str, *, may_be: bool) -> None:
-    assert _may_be(written, name) is may_be
+    assert may_become(written, name) is may_be
+
+
+HAND = (
+    '<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="hand" params="side"><link name="${side}_hand"/>'
+    '<joint name="${side}_wrist" type="fixed"><parent link="upper"/><child link="${side}_hand"/></joint>'
+    '</xacro:macro><xacro:macro name="foot" params="side"><link name="${side}_foot"/></xacro:macro></robot>'
+)
+
+
+def test_names_that_another_argument_brings_are_not_unknown(package: Path) -> None:
+    (package / "arm.urdf").unlink()
+    (package / "hand.xacro").write_text(HAND)
+    optional = (
+        ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="hand" default="false"/>'
+        '<xacro:if value="$(arg hand)"><xacro:include filename="hand.xacro"/><xacro:hand side="left"/></xacro:if'
+    )
+    (package / "arm.urdf.xacro").write_text(ROBOT.format(optional))
+    group = '<group name="g"><link name="left_hand"/><link name="left_foot"/><link name="left_fand"/></group>'
+    assert found(package, ARM + ARM.replace("arm", "b") + group) == [
+        ("SRD001", "left_foot"),  # nothing calls its macro
+        ("SRD001", "left_fand"),
+    ]
+
+
+@pytest.mark.parametrize("root", ['name="$(arg name)"', 'name="arm"'])
+def test_a_robot_of_the_package_that_cannot_be_expanded_is_likely_the_one(package: Path, root: str) -> None:
+    (package / "other").mkdir()
+    (package / "arm.urdf").rename(package / "other/arm.urdf")
+    own = package / "own"
+    own.mkdir()
+    (own / "package.xml").write_text("<package><name>own</name></package>")
+    text = ARM + '<group name="more"><link name="uper"/></group>'
+    assert found(own, text) == [("SRD001", "uper")]
+    robot = f'<robot {root} xmlns:xacro="http://ros.org/wiki/xacro"><xacro:include filename="$(find lost)/a.xacro"/>'
+    (own / "arm.urdf.xacro").write_text(f"{robot}</robot>")
+    assert found(own, text) == []
+
+
+def test_a_robot_whose_name_an_argument_gives(package: Path) -> None:
+    named = ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="name" default="arm"/'
+    text = ROBOT.format(named).replace('name="arm"', 'name="$(arg name)"')
+    (package / "arm.urdf").unlink()
+    (package / "robot.urdf.xacro").write_text(text.replace('<robot name="$(arg name)"', '<robot name="${n}"'))
+    assert found(package, ARM + '<group name="more"><link name="uper"/></group>') == []
+    (package / "robot.urdf.xacro").write_text(
+        text.replace("<link", '<xacro:property name="n" value="1"/><link', 1).replace(
+            '<robot name="$(arg name)"', "<robot name=\"${'a' + 'rm'}\""
+        )
+    )
+    assert found(package, ARM + '<group name="more"><link name="uper"/></group>') == [("SRD001", "uper")]

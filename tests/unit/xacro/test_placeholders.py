@@ -242,3 +242,77 @@ def test_a_call_with_wrong_parameters_goes_on(tmp_path: Path, call: str, wrong: 
 def test_an_argument_that_a_package_may_declare_is_not_missing(tmp_path: Path) -> None:
     include = '<xacro:include filename="$(find no_such)/arguments.xacro"/>'
     assert found(tmp_path, f'{include}<link name="$(arg p)a"/>') == [("XAC007", "no_such")]
+
+
+PACKAGE = '<xacro:include filename="$(find own)/urdf/parts.xacro"/>'
+
+
+def package(folder: Path) -> Path:
+    (folder / "package.xml").write_text("<package><name>own</name></package>")
+    (folder / "urdf").mkdir()
+    return folder / "urdf"
+
+
+def test_a_template_is_read_in_place_of_what_a_build_makes_of_it(tmp_path: Path) -> None:
+    templates = package(tmp_path)
+    template = '<robot xmlns:xacro="http://ros.org/wiki/xacro"><link name="tip"/>{}</robot>'
+    joint = '<joint name="j" type="fixed"><parent link="tip"/><child link="{}"/></joint>'
+    (templates / "parts.xacro.in").write_text(
+        template.format('@MORE@<xacro:property name="v" value="${@N@}"/>')
+    )
+    assert found(tmp_path, PACKAGE + '<link name="base"/>' + joint.format("base")) == []
+    assert (
+        found(tmp_path, PACKAGE + '<link name="base"/>' + joint.format("made")) == []
+    )  # who knows what it makes
+    assert found(tmp_path, PACKAGE + '<link name="base" frame="a"/>') == [("URD002", "frame")]
+    assert found(tmp_path, PACKAGE.replace("parts", "lost") + '<link name="base"/>')[0][0] == "XAC001"
+
+
+def test_a_folder_without_content_may_be_a_submodule(tmp_path: Path) -> None:
+    own = package(tmp_path)
+    (tmp_path / "arms/ur").mkdir(parents=True)
+    mesh = '<link name="l"><visual><geometry><mesh filename="../arms/ur/m/a.stl"/></geometry></visual></link>'
+    near = '<xacro:include filename="../arms/ur/urdf/a.xacro"/>'
+    path = written(own, near + mesh)
+    run = sdfcheck.lint(path, isolated=True)
+    assert [(each.code, each.severity.value) for each in run.diagnostics] == [("XAC001", "warning")]
+    assert {each.missing.kind for each in run.missing if each.missing} == {sdfcheck.MissingKind.SUBMODULE}
+    path = written(own, mesh)
+    assert [each.missing and each.missing.name for each in sdfcheck.lint(path, isolated=True).missing] == [
+        str(Path("../arms/ur"))
+    ]
+    path = written(own, '<xacro:include filename="$(find ur)/urdf/a.xacro"/>' + mesh)
+    assert found(own, '<xacro:include filename="$(find ur)/urdf/a.xacro"/>')[0] == ("XAC007", "ur")
+    (tmp_path / "arms/ur/README").write_text("")
+    assert found(own, near)[0][0] == "XAC001"
+    assert sdfcheck.lint(path, isolated=True).missing == ()
+
+
+def test_joints_of_hardware_are_included_in_ros2_control(tmp_path: Path) -> None:
+    joints = '<robot><joint name="j"><command_interface name="position"/><state_interface name="v"/></joint></robot>'
+    (tmp_path / ".git").mkdir()
+    (tmp_path / "control_joints.xacro").write_text(joints)
+    (tmp_path / "robot.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro"><link name="l"/><ros2_control name="c" type="system">'
+        '<xacro:include filename="control_$(arg version).xacro"/></ros2_control></robot>'
+    )
+    run = sdfcheck.lint(tmp_path / "control_joints.xacro", isolated=True)
+    assert run.diagnostics == ()
+
+
+def test_a_key_that_is_lacking_is_one_problem(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text("size: 1")
+    yaml = '<xacro:property name="c" value="${xacro.load_yaml(file)}"/>'
+    uses = "".join(
+        f'<link name="l{n}" x="${{c[\'{key}\']}}"/>' for n, key in enumerate(("mass", "mass", "size"))
+    )
+    literal = '<xacro:property name="file" value="a.yaml"/>'
+    path = written(tmp_path, literal + yaml + uses)
+    (error,) = (each for each in sdfcheck.lint(path, isolated=True).diagnostics if each.code == "XAC001")
+    assert "the YAML has no key `mass`" in error.message
+    assert error.severity is sdfcheck.Severity.ERROR
+    given = '<xacro:arg name="f" default="a.yaml"/><xacro:property name="file" value="$(arg f)"/>'
+    path = written(tmp_path, given + yaml + uses)
+    (warning,) = (each for each in sdfcheck.lint(path, isolated=True).diagnostics if each.code == "XAC001")
+    assert warning.severity is sdfcheck.Severity.WARNING
+    assert "the default of argument `f` is `a.yaml`" in warning.message
