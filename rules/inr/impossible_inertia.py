@@ -1,6 +1,6 @@
 from collections.abc import Iterator, Sequence
 
-from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite, once_merged
 
 INERTIA = (
@@ -55,11 +55,22 @@ class ImpossibleInertia(Rule):
             scaffold="",
         ),
         Bad(MERGED, scaffold="", says="9 > 1 + 1"),
+        Bad(
+            '<inertial><mass value="1"/>'
+            '<inertia ixx="«0.1»" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
+            scaffold=IN_URDF_LINK,
+            says="0.1 > 0.01 + 0.01",
+        ),
     )
     good = (
         Good(
             "<inertial><mass>1</mass><inertia><ixx>0.05</ixx><iyy>0.05</iyy><izz>0.1</izz></inertia></inertial>",
             why="a thin disc: just on the border",
+        ),
+        Good(
+            '<inertial><mass value="1"/>'
+            '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
+            scaffold=IN_URDF_LINK,
         ),
     )
 

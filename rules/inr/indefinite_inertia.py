@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import sqrt
 
-from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Number, Rule, Severity
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Number, Rule, Severity
 from sdfcheck_rules.inr.moments import has_moments, is_indefinite, once_merged
 
 
@@ -41,12 +41,23 @@ class IndefiniteInertia(Rule):
             "<ixz>0.09</ixz><iyz>-0.09</iyz></inertia></inertial>",
             says="smallest principal moment is -0.08",
         ),
+        Bad(
+            '<inertial><mass value="1"/>'
+            '<inertia ixx="«-0.1»" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
+            scaffold=IN_URDF_LINK,
+            says="ixx -0.1 is negative",
+        ),
     )
     good = (
         Good(
             "<inertial><mass>1</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz><ixy>-0.01</ixy>"
             "</inertia></inertial>",
             why="products may be negative",
+        ),
+        Good(
+            '<inertial><mass value="1"/>'
+            '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
+            scaffold=IN_URDF_LINK,
         ),
     )
 

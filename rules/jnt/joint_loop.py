@@ -58,6 +58,10 @@ class JointLoop(Rule):
             '<link name="arm"/><joint name="j" type="fixed"><parent>world</parent><child>base</child></joint>'
             '<joint name="k" type="fixed"><parent>base</parent><child>arm</child></joint>'
         ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+        ),
     )
 
     @staticmethod

@@ -58,6 +58,7 @@ class MimicCycle(Rule):
             '<mimic joint="k" axis="axis"><multiplier>1</multiplier></mimic></axis2>',
             why="one axis follows the other",
         ),
+        Good('<limit lower="-1" upper="1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT),
     )
 
     @staticmethod

@@ -70,6 +70,7 @@ class NegativeLimit(Rule):
             why="the format's way to say no limit",
         ),
         Good("<axis><xyz>0 0 1</xyz><limit><lower>-2</lower><upper>-1</upper></limit></axis>"),
+        Good('<limit lower="-1" upper="1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT),
     )
 
     @staticmethod

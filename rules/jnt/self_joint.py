@@ -46,6 +46,10 @@ class SelfJoint(Rule):
             '<link name="arm"/><frame name="tip" attached_to="arm"/>'
             '<joint name="j" type="fixed"><parent>base</parent><child>tip</child></joint>'
         ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+        ),
     )
 
     @staticmethod

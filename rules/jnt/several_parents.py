@@ -67,6 +67,10 @@ class SeveralParents(Rule):
             "<axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 0 1</xyz></axis2></joint>",
             why="a gearbox couples links that other joints carry",
         ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+        ),
     )
 
     @staticmethod

@@ -94,6 +94,10 @@ class UnknownJointEnd(Rule):
             '<joint name="j" type="fixed"><parent>base</parent><child>n::l</child></joint>',
             why="an include that could not be read may have it",
         ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+        ),
     )
 
     @staticmethod

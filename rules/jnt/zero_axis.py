@@ -32,6 +32,9 @@ class ZeroAxis(Rule):
     good = (
         Good("<axis><xyz>0 0 1</xyz></axis>"),
         Good("<axis><xyz>0 0 0.001</xyz></axis>", why="it has a direction"),
+        Good(
+            '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT
+        ),
     )
 
     @staticmethod

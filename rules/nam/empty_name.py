@@ -1,6 +1,26 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
+from sdfcheck import (
+    IN_MODEL,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    accepts,
+    problems,
+    refuses,
+)
+
+JOINT = '<joint {} type="fixed"><parent link="a"/><child link="b"/></joint>'
+ROBOT = '<robot name="r"><link name="a"/><link name="b"/>{}</robot>'
+IN_JOINTS = {
+    Consumer.DRAKE: accepts("needs no name there"),
+    Consumer.ISAAC: REFUSES,
+    Consumer.PYBULLET: refuses("crashes"),
+}
 
 
 class EmptyName(Rule):
@@ -24,8 +44,16 @@ class EmptyName(Rule):
     bad = (
         Bad('<link «name»=""/>', says="the name of `link` is empty"),
         Bad('<frame name="« »"/>', says="the name of `frame` is blank"),
+        Bad(
+            JOINT.format('«name»=""'),
+            scaffold=ROBOT,
+            says="the name of `joint` is empty",
+        ),
     )
-    good = (Good('<plugin name="" filename="p"/>', why="a plugin needs no name since 1.10"),)
+    good = (
+        Good('<plugin name="" filename="p"/>', why="a plugin needs no name since 1.10"),
+        Good(JOINT.format('name="j"'), scaffold=ROBOT),
+    )
 
     def check(self, problem: problems.EmptyName) -> Iterator[Diagnostic]:
         value = problem.value
@@ -34,7 +62,7 @@ class EmptyName(Rule):
         if problem.until is None:
             parent = value.element.parent
             is_joint = value.element.name == "joint" and parent is not None and parent.name == "robot"
-            affects = {Consumer.DRAKE: accepts("needs no name there")} if is_joint else {}
+            affects = IN_JOINTS if is_joint else {}
             yield self.diagnostic(value, message, affects=affects)
             return
         message += f", and required up to version {problem.until}"

@@ -3,7 +3,10 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
+    IN_VISUAL,
+    REFUSES,
     Bad,
+    Consumer,
     Diagnostic,
     Element,
     Fix,
@@ -54,6 +57,11 @@ class UnknownElement(Rule):
             unsafe=True,
             says="unknown element `origin` in link `arm`, which is `pose` in SDFormat",
         ),
+        Bad(
+            "<geometry><sphere><radius>1</radius></sphere></geometry><material><pbr><«glass»/></pbr></material>",
+            scaffold=IN_VISUAL,
+            says="unknown element `glass` in `pbr`",
+        ),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
     )
     good = (
@@ -82,7 +90,10 @@ class UnknownElement(Rule):
         if (element.name, problem.parent.name) == ("origin", "joint"):
             advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
-        yield self.diagnostic(element, message, meant=guess, fix=fix, help=advice, severity=severity)
+        affects = {Consumer.GAZEBO: REFUSES} if problem.parent.name == "pbr" else {}
+        yield self.diagnostic(
+            element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
+        )
 
 
 def as_pose(origin: Element) -> Fix | None:

@@ -3,6 +3,7 @@ from collections.abc import Callable, Iterator, Mapping
 from sdfcheck import (
     IN_COLLISION,
     IN_LINK,
+    IN_URDF_LINK,
     Bad,
     Consumer,
     Diagnostic,
@@ -57,6 +58,7 @@ def _nothing(text: str, expected: str) -> None:
 
 MEANT: Mapping[str, Callable[[str, str], str | None]] = {"NOT_A_BOOLEAN": _truth, "COMMA": _apart}
 """Cause → what was probably meant by a text, of which so much is expected."""
+MOMENTS = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 
 
 class MalformedValue(Rule):
@@ -112,6 +114,11 @@ class MalformedValue(Rule):
             scaffold=INERTIAL,
             says="`mass` is empty, and its attribute `value` is not read, so 1.0 is taken",
         ),
+        Bad(
+            f'<inertial><mass value="«heavy»"/>{MOMENTS}</inertial>',
+            scaffold=IN_URDF_LINK,
+            says="`value` should be a number, not `heavy`",
+        ),
     )
     good = (
         Good("<gravity>TRUE</gravity>", why="any case is read"),
@@ -126,6 +133,7 @@ class MalformedValue(Rule):
             '<p:mass xmlns:p="https://example.org/p">heavy</p:mass>',
             why="custom elements hold what they like",
         ),
+        Good(f'<inertial><mass value="2"/>{MOMENTS}</inertial>', scaffold=IN_URDF_LINK),
     )
 
     def check(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:

@@ -84,6 +84,11 @@ class OutOfRange(Rule):
     good = (
         Good("<clip><near>0.1</near><far>inf</far></clip>", why="there is no end to what it sees"),
         Good("<clip><near>1</near><far>1</far></clip>"),
+        Good(
+            '<link name="pad"><collision><geometry><sphere radius="1"/></geometry></collision></link>'
+            '<joint name="j" type="fixed"><parent link="base"/><child link="pad"/></joint>',
+            scaffold=IN_ROBOT,
+        ),
     )
 
     def check(self, problem: problems.ValueOutOfRange | problems.ReversedRange) -> Iterator[Diagnostic]:

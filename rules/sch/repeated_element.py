@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_LINK,
+    IN_URDF_LINK,
     REFUSES,
     SDF,
     Bad,
@@ -16,6 +17,7 @@ from sdfcheck import (
 
 SHOWN = 3
 """Further ones that are pointed at."""
+MOMENTS = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 
 
 class RepeatedElement(Rule):
@@ -56,6 +58,11 @@ class RepeatedElement(Rule):
             scaffold=SDF,
             says="light `b` cannot be beside model `a`",
         ),
+        Bad(
+            f'<inertial><mass value="1"/><«mass» value="2"/>{MOMENTS}</inertial>',
+            scaffold=IN_URDF_LINK,
+            says="`mass` is given again in `inertial`",
+        ),
     )
     good = (
         Good(
@@ -73,6 +80,7 @@ class RepeatedElement(Rule):
             why="worlds may be several, and be beside an entity",
             scaffold=SDF,
         ),
+        Good(f'<inertial><mass value="1"/>{MOMENTS}</inertial>', scaffold=IN_URDF_LINK),
     )
 
     def check(self, problem: problems.RepeatedElement) -> Iterator[Diagnostic]:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
 
 POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><point>1 1</point></polyline>"
 
@@ -28,8 +28,16 @@ class SeveralShapes(Rule):
             "<geometry><«sphere»><radius>1</radius></sphere><box><size>1 1 1</size></box></geometry>",
             says="`sphere` is dropped, because the geometry has a `box`",
         ),
+        Bad(
+            '<visual><geometry><box size="1 1 1"/><«sphere» radius="1"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+            says="`sphere` is dropped, because the geometry has a `box`",
+        ),
     )
-    good = (Good(f"<geometry>{POLYLINE}{POLYLINE}</geometry>", why="polylines make one shape together"),)
+    good = (
+        Good(f"<geometry>{POLYLINE}{POLYLINE}</geometry>", why="polylines make one shape together"),
+        Good('<visual><geometry><box size="1 1 1"/></geometry></visual>', scaffold=IN_URDF_LINK),
+    )
 
     def check(self, problem: problems.SeveralShapes) -> Iterator[Diagnostic]:
         element, first = problem.element, problem.first

@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_MODEL,
+    IN_ROBOT,
     IN_WORLD,
     Bad,
     Consumer,
@@ -80,6 +81,11 @@ class UnknownChoice(Rule):
             says="did you mean `gaussian`?",
         ),
         Bad('<pose rotation_format="«quaternion»">0 0 0 0 0 0</pose>', says="unknown `rotation_format`"),
+        Bad(
+            '<link name="arm"/><joint name="j" type="«hinge»"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+            says="unknown `type` of joint `j`: `hinge`",
+        ),
     )
     good = (
         Good(
@@ -90,6 +96,10 @@ class UnknownChoice(Rule):
         Good(
             '<sensor name="s" type="wideanglecamera"><camera/></sensor>',
             why="another spelling of wide_angle_camera",
+        ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
         ),
     )
 

@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_COLLISION,
     IN_LINK,
+    IN_URDF_LINK,
     IN_VISUAL,
     Bad,
     Consumer,
@@ -50,10 +51,19 @@ class WrongComponentCount(Rule):
             scaffold=IN_VISUAL,
             says="`ambient` has 2 numbers and needs 3 or 4",
         ),
+        Bad(
+            '<visual><origin xyz="«0 0»"/><geometry><box size="1 1 1"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+            says="has 2 numbers and needs 3",
+        ),
     )
     good = (
         Good("<pose>\n  0 0 1\n  0 0 0\n</pose>", why="any spaces separate numbers"),
         Good('<pose rotation_format="quat_xyzw">0 0 1 0 0 0 1</pose>'),
+        Good(
+            '<visual><origin xyz="0 0 0"/><geometry><box size="1 1 1"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+        ),
     )
 
     def check(self, problem: problems.WrongComponentCount) -> Iterator[Diagnostic]:

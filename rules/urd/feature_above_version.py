@@ -12,7 +12,8 @@ class FeatureAboveVersion(Rule):
     Capsules and `quat_xyzw` came with 1.1 (urdfdom 5.1), limits of acceleration and jerk
     with 1.2 (urdfdom 6). Without the version urdfdom ignores the attributes, so that a
     shape is not turned, and at a capsule it drops the rest of the link. With the version declared, urdfdom
-    before 5.1 takes the whole file for one that it does not know. Drake reads capsules in any case.
+    before 5.1 takes the whole file for one that it does not know. Drake reads capsules in any case. Limits that are
+    ignored are a warning: the robot is built as before, and others may read them.
     """
 
     code = "URD019"
@@ -32,6 +33,12 @@ class FeatureAboveVersion(Rule):
             says="`capsule` came with URDF 1.1, and the robot is of version 1.0",
         ),
         Bad(
+            '<link name="b"/><joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
+            '<limit lower="0" upper="1" effort="1" velocity="1" «acceleration»="1"/></joint>',
+            scaffold='<robot name="r"><link name="a"/>{}</robot>',
+            says="`acceleration` came with URDF 1.2",
+        ),
+        Bad(
             '<origin «quat_xyzw»="0 0 0 1"/><geometry><sphere radius="1"/></geometry>',
             says="`quat_xyzw` came with URDF 1.1",
         ),
@@ -45,4 +52,6 @@ class FeatureAboveVersion(Rule):
         )
         advice = f'declare it: <robot version="{problem.since}">'
         target = place.name_span if isinstance(place, Value) else place.span
-        yield self.diagnostic(target, message, help=advice)
+        is_limit = isinstance(place, Value) and place.element.name == "limit"
+        severity = Severity.WARNING if is_limit else None
+        yield self.diagnostic(target, message, help=advice, severity=severity)

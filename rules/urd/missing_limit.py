@@ -3,6 +3,7 @@ from typing import Any
 
 from sdfcheck import (
     IN_URDF_JOINT,
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -70,7 +71,8 @@ class MissingLimit(Rule):
 
     def check(self, part: Joint | Limit) -> Iterator[Diagnostic]:
         if isinstance(part, Joint):
-            yield self.diagnostic(part, f"{part.title} is {part.type} and has no `limit`")
+            message = f"{part.title} is {part.type} and has no `limit`"
+            yield self.diagnostic(part, message, affects={Consumer.PYBULLET: REFUSES})
             return
         joint = part.joint.title
         if missing := [name for name in REQUIRED if part.lacks(name)]:

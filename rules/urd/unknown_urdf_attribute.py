@@ -68,7 +68,8 @@ class UnknownUrdfAttribute(Rule):
         if near is not None:
             message += f"; did you mean `{near}`?"
         severity = Severity.ERROR if problem.needed else None
-        affects = lacking(value.element, near or "") if problem.needed else {}
+        is_axis = (value.element.name, near) == ("axis", "xyz")
+        affects = lacking(value.element, near or "") if problem.needed or is_axis else {}
         yield self.diagnostic(
             value.name_span,
             message + used(len(problem.uses)),

@@ -168,7 +168,8 @@ def unfound(row: Row, answer: Answer) -> Reason | None:
     """A reason for which the consumer refuses the file here, and may take it on another computer."""
     if not refuses(answer) or row.verdict is Verdict.REJECT:
         return None
-    return next((reason for reason in row.reasons if reason.reaction == UNFOUND), None)
+    absent = (each for each in row.reasons if each.reaction == UNFOUND or each.diagnostic.missing is not None)
+    return next(absent, None)
 
 
 _SHOWN = 5
@@ -239,14 +240,20 @@ def _said(row: Row, answer: Answer) -> Iterator[str]:
         return
     mark = "  (differs)" if differs(row, answer) else ""
     absent = unfound(row, answer)
-    note = f", as a file is not found here ({absent.diagnostic.code})" if absent is not None else ""
-    yield f"run: {answer.engine.value} {answer.version}: {answer.outcome.value}{note}{mark}"
+    note = "" if absent is None else f", as {_lacked(absent)} is not found here ({absent.diagnostic.code})"
+    version = f" {answer.version}" if answer.version else ""
+    yield f"run: {answer.engine.value}{version}: {answer.outcome.value}{note}{mark}"
     if answer.error:
         yield f"     {answer.error}"
     if mark and not answer.error:
         yield f"     it takes the file although it was expected to refuse it ({row.reasons[0].diagnostic.code})"
     if mark and answer.error and not row.reasons:
         yield "     no rule finds a reason in the file"
+
+
+def _lacked(reason: Reason) -> str:
+    missing = reason.diagnostic.missing
+    return "a file" if missing is None else f"{missing.kind.value} `{missing.name}`"
 
 
 def _record_of(row: Row, answer: Answer) -> dict[str, object]:

@@ -2,7 +2,8 @@
 
 It depends on the place: urdfdom drops links in part and refuses joints, MuJoCo looks at no visual
 but at its material, Drake ignores controllers. Checked by taking attributes and elements
-away, and by misspelling values, with urdfdom 3.0, libsdformat 12.3, Drake 1.51 and MuJoCo 4.0.
+away, and by misspelling values, with urdfdom 3.0, libsdformat 17, Drake 1.51, MuJoCo 4.0, PyBullet 3.2
+and the converter of Isaac Sim 0.3.
 """
 
 from __future__ import annotations
@@ -23,8 +24,28 @@ _FREE = frozenset(("transmission", "gazebo", "ros2_control"))
 _UNREAD = accepts("does not read it")
 _OF_SPRINGS = frozenset(("spring_reference", "spring_stiffness"))
 _ASIDE = frozenset(("safety_controller", "calibration"))
-_NUMBERS = re.compile(r"(?:[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s+)*[-+]?\.?\d\S*")
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBERS = re.compile(rf"(?:{_NUMBER}\s+)*{_NUMBER}(?![\d.eE])\S*")
 """Numbers, of which the last one may be followed by something else."""
+_FIELDS = {"xyz": 3, "rpy": 3, "size": 3, "scale": 3, "rgba": 4, "quat_xyzw": 4}
+"""Attribute → how many numbers it has, where these are several."""
+
+
+_NEEDED_BY_ISAAC = {
+    "robot": ("name", "link"),
+    "link": ("name",),
+    "joint": ("name", "type", "parent", "child"),
+    "parent": ("link",),
+    "child": ("link",),
+    "sphere": ("radius",),
+    "cylinder": ("radius", "length"),
+    "mimic": ("joint",),
+    "material": ("name",),
+}
+"""Element → the attributes and elements without which the converter of Isaac Sim (0.3.4) refuses the file."""
+
+
+_WITHOUT_IT = warns("builds the robot without it")
 
 
 def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
@@ -41,17 +62,40 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
     found = {Consumer.URDFDOM: urdfdom, Consumer.GAZEBO: urdfdom, Consumer.DRAKE: REFUSES}
     found[Consumer.MUJOCO] = _UNREAD if is_unread_by_mujoco(at) else REFUSES
     if isinstance(at, Value) and (element.name, at.attribute, at.text) == ("joint", "type", "spherical"):
-        found[Consumer.MUJOCO] = accepts("makes a ball joint of it")
+        found |= dict.fromkeys((Consumer.MUJOCO, Consumer.PYBULLET), accepts("makes a ball joint of it"))
     if place & _ASIDE:
         found[Consumer.DRAKE] = _UNREAD
     elif isinstance(at, Value) and at.attribute in _OF_SPRINGS:
         found.update(dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO, Consumer.DRAKE), _UNREAD))
         found[Consumer.MUJOCO] = warns("takes no spring")
-    elif isinstance(at, Value) and _NUMBERS.fullmatch(at.text.strip()):
+    elif isinstance(at, Value) and _is_cut(at):
         found[Consumer.DRAKE] = warns("reads the number at its beginning")
     if isinstance(at, Value) and "nan" in at.text.lower().split():
         found[Consumer.MUJOCO] = warns("takes the nan")
+    if isinstance(at, Value) and element.name == "axis" and len(at.text.split()) < _FIELDS["xyz"]:
+        found[Consumer.PYBULLET] = REFUSES
+    if "inertial" in place and element.name != "inertia" and _carries_the_rest(element):
+        found[Consumer.GAZEBO] = refuses("refuses the file, for nothing is left")
     return found
+
+
+def _is_cut(value: Value) -> bool:
+    """Are there as many numbers as there should be, with something after the last one?"""
+    text = value.text.strip()
+    return bool(_NUMBERS.fullmatch(text)) and len(text.split()) == _FIELDS.get(value.attribute or "", 1)
+
+
+def _carries_the_rest(element: Element) -> bool:
+    """Is an element in the root link, which libsdformat drops without its mass, with all that it carries?"""
+    link = next((each for each in element.around if each.name == "link"), None)
+    robot = None if link is None else link.parent
+    if link is None or robot is None:
+        return False
+    name = link.text_of("name")
+    ends = {(end.name, end.text_of("link")) for joint in robot.children("joint") for end in joint.children()}
+    fixed = (joint for joint in robot.children("joint") if joint.text_of("type") == "fixed")
+    holds = any(end.text_of("link") == name for joint in fixed for end in joint.children("parent"))
+    return ("child", name) not in ends and not holds
 
 
 def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
@@ -60,22 +104,70 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
         return {}
     if "gazebo" in _place(element):
         return unreadable(element)
+    if (value := element.attribute(name)) is not None:
+        return _lacking_text(value)
     if (element.name, name) == ("axis", "xyz"):
-        return {Consumer.URDFDOM: warns("takes no axis"), Consumer.DRAKE: warns("takes a default")}
-    found = dict(unreadable(element))
-    if element.name == "material" and "visual" in _place(element):
-        found[Consumer.DRAKE] = accepts("needs no name there")
-    if (element.name, name) == ("link", "name"):
-        found[Consumer.URDFDOM] = drops("the rest of the link")
-    if element.name == "mass":
-        found[Consumer.DRAKE] = warns("takes 0")
-    if (element.name, name) == ("robot", "link"):
-        found[Consumer.DRAKE] = accepts("takes a robot without links")
-    if element.name == "texture":
-        found.update(_lacking_file(element))
-    if element.name in {"robot", "material"}:
-        found[Consumer.MUJOCO] = _UNREAD
-    return found
+        return _without_direction(element)
+    return {
+        **unreadable(element),
+        Consumer.PYBULLET: REFUSES,
+        Consumer.ISAAC: REFUSES if name in _NEEDED_BY_ISAAC.get(element.name, ()) else _WITHOUT_IT,
+        **_lacking_in(element, name),
+    }
+
+
+def _lacking_text(value: Value) -> Mapping[Consumer, Reaction]:
+    """Reactions to an attribute that is empty."""
+    element, found = value.element, dict(unreadable(value))
+    if value.attribute in _NAMING:
+        if element.name in {"joint", "parent", "child", "mesh"}:
+            found[Consumer.DRAKE] = _WITHOUT_IT
+        found |= {Consumer.PYBULLET: REFUSES, **_lacking_in(element, value.attribute)}
+        is_needed = value.attribute in _NEEDED_BY_ISAAC.get(element.name, ())
+        if element.name == "mesh":
+            found[Consumer.GAZEBO] = REFUSES
+    else:
+        is_needed = True
+        found[Consumer.PYBULLET] = REFUSES if element.name == "axis" else _UNREAD
+        if element.name in {"origin", "limit", "dynamics"}:
+            found[Consumer.MUJOCO] = _UNREAD
+    return {**found, Consumer.ISAAC: REFUSES if is_needed else _WITHOUT_IT}
+
+
+def _without_direction(axis: Element) -> Mapping[Consumer, Reaction]:
+    """Reactions to an axis without direction, which libsdformat needs where something moves about it."""
+    none, default = warns("takes no axis"), warns("takes a default")
+    is_fixed = axis.parent is not None and axis.parent.text_of("type") == "fixed"
+    return {
+        Consumer.URDFDOM: none,
+        Consumer.GAZEBO: none if is_fixed else REFUSES,
+        Consumer.MUJOCO: REFUSES,
+        **dict.fromkeys((Consumer.DRAKE, Consumer.PYBULLET, Consumer.ISAAC), default),
+    }
+
+
+def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
+    """Reactions that go by the element."""
+    match element.name:
+        case "link" if name == "name":
+            return {Consumer.URDFDOM: REFUSES}
+        case "mass":
+            return {Consumer.DRAKE: warns("takes 0")}
+        case "robot":
+            without = {Consumer.DRAKE: accepts("takes a robot without links")} if name == "link" else {}
+            return {**without, Consumer.MUJOCO: _UNREAD}
+        case "color" | "mimic":
+            return {Consumer.PYBULLET: _UNREAD}
+        case "texture":
+            unread = dict.fromkeys((Consumer.MUJOCO, Consumer.PYBULLET), _UNREAD)
+            return {**unread, **_lacking_file(element)}
+        case "material":
+            mujoco = _UNREAD if any(element.children()) else REFUSES
+            if "visual" not in _place(element):
+                return {Consumer.MUJOCO: _UNREAD, Consumer.PYBULLET: _UNREAD}
+            drake = accepts("needs no name there")
+            return {Consumer.DRAKE: drake, Consumer.MUJOCO: mujoco, Consumer.ISAAC: _WITHOUT_IT}
+    return {}
 
 
 def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
@@ -88,8 +180,9 @@ def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
 
 
 def is_harmless(affects: Mapping[Consumer, Reaction]) -> bool:
-    """Do all consumers of which reactions are known read on?"""
-    return bool(affects) and not any(reaction.is_refusal for reaction in affects.values())
+    """Do all consumers of which reactions are known read on, but for those that one has to ask for?"""
+    asked = [reaction for consumer, reaction in affects.items() if not consumer.is_on_request]
+    return bool(asked) and not any(reaction.is_refusal for reaction in asked)
 
 
 def undersized(at: Value) -> Mapping[Consumer, Reaction]:

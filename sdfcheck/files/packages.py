@@ -122,18 +122,21 @@ class Packages:
         self.given = {name: Path(os.path.abspath(folder)) for name, folder in (given or {}).items()}
         self.paths = tuple(Path(os.path.abspath(folder)) for folder in paths)
         self.environment = dict(os.environ if environment is None else environment)
-        self._below: dict[Path, dict[str, Path]] = {}
+        self._below: dict[Path, dict[str, list[Path]]] = {}
         self._folders: dict[Path, tuple[str, ...]] = {}
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
         self._own_prefixes: list[Path] | None = None
         self.is_flat = is_flat
 
-    def find(self, name: str) -> Path | None:
-        """The folder of a package, None if nothing of that name is there."""
+    def find(self, name: str, near: str | os.PathLike[str] = "") -> Path | None:
+        """The folder of a package, of copies in the project the one nearest to a file; None if there is none."""
         if name not in self._found:
             self._found[name] = next(self._candidates(name), None)
-        return self._found[name]
+        found, copies = self._found[name], self._below.get(self.root, {}).get(name, ())
+        if len(copies) < 2 or found not in copies:
+            return found
+        return min(copies, key=lambda copy: _distance(copy, os.path.abspath(near)) if near else 0)
 
     @property
     def searched(self) -> tuple[Path, ...]:
@@ -221,7 +224,7 @@ class Packages:
             if os.path.basename(folder) == name and "model.config" in names_in(folder)
         )
         here = os.path.abspath(near)
-        return sorted(found, key=lambda each: (-len(os.path.commonpath((os.path.abspath(each), here))), each))
+        return sorted(found, key=lambda each: (_distance(each, here), each))
 
     def _files_beside(self) -> Iterator[Path]:
         for name in names_in(self.root)[:FOLDER_LIMIT]:
@@ -233,8 +236,7 @@ class Packages:
         if name in self.given:
             yield self.given[name]
         for folder in (*self.paths, self.root, *self._of_environment("ROS_PACKAGE_PATH")):
-            if name in (below := self._package_files(folder)):
-                yield below[name]
+            yield from self._package_files(folder).get(name, ())
         for prefix in self._prefixes():
             if os.path.isdir(share := prefix / "share" / name):
                 yield share
@@ -243,15 +245,15 @@ class Packages:
             if len(same) == 1 and names_in(same[0]):  # a submodule that is not checked out is empty
                 yield Path(same[0])
 
-    def _package_files(self, root: Path) -> dict[str, Path]:
-        """Package name → folder, of every ``package.xml`` below a folder."""
+    def _package_files(self, root: Path) -> dict[str, list[Path]]:
+        """Package name → folders, of every ``package.xml`` below a folder."""
         known = self._below.get(root)
         if known is None:
             known = {}
             for folder in self._folders_below(root):
                 name = _package_name(os.path.join(folder, "package.xml"))
                 if name:
-                    known.setdefault(name, Path(folder))
+                    known.setdefault(name, []).append(Path(folder))
             self._below[root] = known
         return known
 
@@ -290,6 +292,14 @@ class Packages:
         if folder not in self._installed:
             self._installed[folder] = list(_install_rules(_read(lists)))
         return self._installed[folder]
+
+
+def _distance(folder: str | Path, here: str) -> int:
+    """The distance of a folder to a path: the more of their ways they share, the less."""
+    try:
+        return -len(os.path.commonpath((os.path.abspath(folder), here)))
+    except ValueError:  # another drive
+        return 0
 
 
 def _folders(root: Path) -> Iterator[str]:

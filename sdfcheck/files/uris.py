@@ -201,7 +201,7 @@ def _models_of_project(document: Document, name: str, around: _Surroundings) -> 
 
 def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:
     if (library := library_of(document)) is not None:
-        found = library.packages(document.path).find(name)
+        found = library.packages(document.path).find(name, document.path)
         if found is not None:
             yield str(found)
     for above in around.above:

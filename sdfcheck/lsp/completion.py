@@ -517,7 +517,7 @@ def _folder(document: Document, head: str) -> Path | None:
 
 def _package(document: Document, name: str) -> Path | None:
     library = library_of(document)
-    return None if library is None else library.packages(document.path).find(name)
+    return None if library is None else library.packages(document.path).find(name, document.path)
 
 
 def _packages(document: Document) -> list[str]:

@@ -535,7 +535,7 @@ def declared(path: Path, packages: Packages) -> list[Declared]:
     except OSError:
         return []
     found = _DECLARED.search(text)
-    folder = packages.find(found[1]) if found is not None else None
+    folder = packages.find(found[1], path) if found is not None else None
     if found is None or folder is None:
         return []
     given = _GIVEN.search(text)

@@ -17,7 +17,7 @@ from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
-_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)")
+_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)(/[^\s\"'<>]*)?")
 _MOST = 1_000
 """So many packages are looked for."""
 _LONGEST = 1_000_000
@@ -67,18 +67,26 @@ def packages_in(text: str, document: Document) -> dict[str, str]:
     found: dict[str, str] = {}
     waiting = [text]
     while waiting:
-        for scheme, name in sorted(set(_PACKAGE.findall(waiting.pop()))):
-            folder = _folder_of(scheme, name, document) if name not in found else None
+        for scheme, name, inside in sorted(set(_PACKAGE.findall(waiting.pop()))):
+            folder = _folder_of(scheme, name, inside, document) if name not in found else None
             if folder is not None and len(found) < _MOST:
                 found[name] = str(folder)
                 waiting += _texts_in(folder) if scheme == "model" else ()
     return found
 
 
-def _folder_of(scheme: str, name: str, document: Document) -> Path | None:
+def _folder_of(scheme: str, name: str, inside: str, document: Document) -> Path | None:
+    """The folder of a package or model; of several that which has what is asked for in it."""
     library = library_of(document)
+    path = locate(document, f"{scheme}://{name}{inside}").path if inside else None
+    if path is not None and path.as_posix().endswith(inside):
+        return Path(path.as_posix().removesuffix(inside))
     found = locate(document, f"{scheme}://{name}").owner
-    return found if found is not None or library is None else library.packages(document.path).find(name)
+    return (
+        found
+        if found is not None or library is None
+        else library.packages(document.path).find(name, document.path)
+    )
 
 
 def _texts_in(folder: Path) -> Iterator[str]:

@@ -187,7 +187,7 @@ def expand(request: Request, packages: Packages, readable: sandbox.Readable, mem
     os.environ.update(request["environment"])
     is_partial = request["partial"]
     tracer.unprefixed = frozenset(map(tuple, request["unprefixed"]))
-    _prepare(tracer, packages, Cautious if is_partial else Interpreter)
+    _prepare(tracer, packages, Cautious if is_partial else Interpreter, path)
     rest = Perseverance(xacro, tracer) if is_partial else None
     xacro.open = door = sandbox.Door(readable)
     sys.setrecursionlimit(RECURSION_LIMIT)
@@ -218,12 +218,12 @@ def expand(request: Request, packages: Packages, readable: sandbox.Readable, mem
     return {**answer, "files": tracer.files, "steps": steps.rows, "others": sorted(set(others))}
 
 
-def _prepare(tracer: Tracer, packages: Packages, evaluator: type[Interpreter]) -> None:
-    """Put the evaluators, the search for packages and the notes in xacro's place for them."""
+def _prepare(tracer: Tracer, packages: Packages, evaluator: type[Interpreter], path: str) -> None:
+    """Put the evaluators, the search for packages and the notes in xacro's place for them, for one file."""
     absolute = xacro.abs_filename_spec
 
     def find(name: str) -> str:
-        folder = packages.find(name)
+        folder = packages.find(name, path)
         if folder is None:
             raise failure.MissingPackage(name)
         return str(folder)
@@ -234,8 +234,8 @@ def _prepare(tracer: Tracer, packages: Packages, evaluator: type[Interpreter]) -
         return os.environ[name]
 
     def locate(spec: str) -> str:
-        path = str(absolute(spec))
-        return path if os.path.exists(path) else str(packages.locate(Path(path)))
+        whole = str(absolute(spec))
+        return whole if os.path.exists(whole) else str(packages.locate(Path(whole)))
 
     vars(minidom)["NodeList"] = Children
     _with_names(xacro.Macro)

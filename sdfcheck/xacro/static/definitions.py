@@ -489,7 +489,7 @@ class Definitions:
             return start is not None
         find = FIND.match(start["command"] or "")
         library = library_of(document)
-        return bool(find and library and library.packages(document.path).find(find[1]))
+        return bool(find and library and library.packages(document.path).find(find[1], document.path))
 
     def _targets(self, include: Include, document: Document) -> list[Path]:
         """The files that an include names; none if that cannot be known."""
@@ -536,7 +536,7 @@ class Definitions:
         if match["command"] is not None:
             find = FIND.match(match["command"])
             if find and (library := library_of(document)) is not None:
-                folder = library.packages(document.path).find(find[1])
+                folder = library.packages(document.path).find(find[1], document.path)
                 return None if folder is None else str(folder)
             argument = _ARGUMENT.match(match["command"])
             name = argument[1] if argument else ""
@@ -561,14 +561,15 @@ def is_robot(document: Document) -> bool:
     """Whether a file is meant to be expanded on its own, rather than to be included.
 
     A robot has a name (a SDFormat document needs none), and elements or macro calls
-    outside of macros; or else it only puts together what it includes.
+    outside of macros; or else it only puts together what it includes. Beside macros, materials
+    make no robot.
     """
     root = document.root
     if root is None or root.name not in {"robot", "sdf"}:
         return False
     if root.name == "robot" and "name" not in root.attributes:
         return False
-    has_content = has_macros = has_includes = False
+    has_content = has_macros = has_includes = has_materials = False
     todo = list(root.children())
     while todo:
         element = todo.pop()
@@ -578,9 +579,11 @@ def is_robot(document: Document) -> bool:
         elif name in {"xacro:macro", "xacro:include"}:
             has_macros |= name == "xacro:macro"
             has_includes |= name == "xacro:include"
+        elif name == "material":
+            has_materials = True
         elif name not in {"xacro:property", "xacro:arg", "xacro:attribute"}:
             has_content |= not name.startswith(PREFIX) or name in _CONTENT or name.count(":") == 1
-    return has_content or (has_includes and not has_macros)
+    return has_content or ((has_includes or has_materials) and not has_macros)
 
 
 def knows_all(document: Document) -> bool:

@@ -140,7 +140,7 @@ def _leads(filename: _Filename, own: str, packages: Packages, library: Library) 
     first = next(matches(text), None)
     found = FIND.match(first["command"] or "") if first is not None and first.start() == 0 else None
     if first is not None and found is not None:
-        package = packages.find(found[1])
+        package = packages.find(found[1], filename.by)
         if package is None:
             # A package of the project has a folder, if it is known by that alone.
             return found[1] in Path(own).parts and fnmatch(

@@ -133,7 +133,24 @@ def test_a_refusal_for_what_is_not_here_is_no_difference(
     file.write_text(f'<robot name="r"><link name="a"><visual>{shape}</visual></link></robot>')
     main(["targets", str(file), "--isolated", "--run", "--target", "drake"])
     out = capsys.readouterr().out
-    assert "run: drake 1.0: reject, as a file is not found here (RES001)" in out
+    assert "run: drake 1.0: reject, as package `lost` is not found here (RES001)" in out
+    assert "(differs)" not in out
+    file.write_text(file.read_text().replace("package://lost/", "meshes/"))
+    main(["targets", str(file), "--isolated", "--run", "--target", "drake"])
+    assert "run: drake 1.0: reject, as a file is not found here (RES001)" in capsys.readouterr().out
+
+
+def test_a_refusal_for_a_package_that_is_not_here_is_no_difference(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "r.urdf.xacro"
+    file.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>'
+        '<xacro:include filename="$(find lost)/a.xacro"/></robot>'
+    )
+    main(["targets", str(file), "--isolated", "--run", "--target", "urdfdom"])
+    out = capsys.readouterr().out
+    assert "run: urdfdom: reject, as package `lost` is not found here (XAC007)" in out
     assert "(differs)" not in out
 
 
@@ -272,3 +289,14 @@ def test_reasons_that_read_alike_share_a_line(tmp_path: Path) -> None:
     assert "and 2 other places: a `.dae` file cannot be a collision" in said[0]
     each = [line for line in lines(rows, tmp_path / "r.urdf", most=None) if "DRK009" in line]
     assert len(each) == 3
+
+
+def test_macros_and_materials_are_a_part_of_robots(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "cabinet.urdf.xacro"
+    material = '<material name="m"><color rgba="1 0 0 1"/></material>'
+    macro = '<xacro:macro name="cabinet" params="parent"><link name="cabinet"/></xacro:macro>'
+    file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{material}{macro}</robot>')
+    main(["targets", str(file), "--isolated", "--target", "urdfdom"])
+    assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out

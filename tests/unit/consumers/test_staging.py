@@ -8,8 +8,9 @@ import pytest
 
 from sdfcheck.consumers.engines import Question
 from sdfcheck.consumers.engines.pybullet import with_packages
-from sdfcheck.consumers.engines.staging import Stage
-from sdfcheck.files.library import Library
+from sdfcheck.consumers.engines.staging import Stage, packages_in
+from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 
 WORLD = '<sdf version="1.9"><world name="w"><include><uri>model://cart</uri></include></world></sdf>'
@@ -67,3 +68,19 @@ def test_pybullet_finds_the_packages_of_a_copy(tmp_path: Path, monkeypatch: pyte
     copy = with_packages({**question, "is_copy": True})
     assert Path(copy).read_text() == '<mesh filename="/robots/arm/m.stl"/>'
     assert robot.read_text() == '<mesh filename="package://arm/m.stl"/>'
+
+
+def test_engines_get_the_copy_of_a_model_that_has_what_is_asked_for(tmp_path: Path) -> None:
+    for folder in ("a/box", "b/box"):
+        (tmp_path / folder / "meshes").mkdir(parents=True)
+        (tmp_path / folder / "model.config").write_text("<model><sdf>model.sdf</sdf></model>")
+    (tmp_path / "b/box/meshes/box.obj").write_text("")
+    file = tmp_path / "a/box/model.sdf"
+    file.write_text(
+        '<sdf version="1.9"><model name="box"><link name="l"><visual name="v"><geometry><mesh>'
+        "<uri>model://box/meshes/box.obj</uri></mesh></geometry></visual></link></model></sdf>"
+    )
+    paths = SearchPaths(models=(tmp_path / "a", tmp_path / "b"))
+    document = read(file.read_bytes(), file)
+    document.library = Library(paths)
+    assert packages_in(document.source.text, document) == {"box": str(tmp_path / "b/box")}

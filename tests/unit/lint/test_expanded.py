@@ -97,6 +97,8 @@ def test_without_expansion_a_file_is_still_read(tmp_path: Path) -> None:
         ),
         ('<robot name="r" xmlns:xacro="x"><xacro:property name="a" value="1"/></robot>', False),
         ('<robot xmlns:xacro="x"><material name="a"/></robot>', False),
+        ('<robot name="r" xmlns:xacro="x"><material name="a"/></robot>', True),
+        ('<robot name="r" xmlns:xacro="x"><material name="a"/><xacro:macro name="m"/></robot>', False),
         ('<sdf version="1.9" xmlns:xacro="x"><xacro:arm/></sdf>', True),
         ('<root xmlns:xacro="x"><xacro:arm/></root>', False),
     ],

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.packages import Packages, project_root
 from sdfcheck.xacro.expansion import expand
@@ -35,6 +36,28 @@ def test_the_named_part_comes_first(tmp_path: Path) -> None:
     root = tmp_path / "project"
     assert Packages(root, {"arm": tmp_path}, environment={}).find("arm") == tmp_path
     assert Packages(root, paths=[tmp_path / "other"], environment={}).find("arm") == other
+
+
+def test_of_copies_the_nearest_counts(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    for workspace, link in (("one", "a"), ("two", "b")):
+        package = tmp_path / workspace / "src/arm"
+        package.mkdir(parents=True)
+        (package / "package.xml").write_text("<package><name>arm</name></package>")
+        (package / "part.xacro").write_text(f'<robot><link name="{link}"/></robot>')
+        mesh = '<link name="l"><visual><geometry><mesh filename="package://arm/{}.stl"/></geometry></visual></link>'
+        (package / f"{link}.stl").write_text("solid a\nendsolid a")
+        (tmp_path / workspace / "robot.urdf.xacro").write_text(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+            f'<xacro:include filename="$(find arm)/part.xacro"/>{mesh.format(link)}</robot>'
+        )
+    packages = Packages(tmp_path, environment={})
+    assert packages.find("arm") == tmp_path / "one/src/arm"
+    assert packages.find("arm", tmp_path / "two/robot.urdf.xacro") == tmp_path / "two/src/arm"
+    for workspace, link in (("one", "a"), ("two", "b")):
+        robot = tmp_path / workspace / "robot.urdf.xacro"
+        assert f'name="{link}"' in str(expand(robot).text)
+        assert not [each for each in sdfcheck.lint(robot, isolated=True).diagnostics if each.code == "RES001"]
 
 
 def test_folders_of_one_name_decide_nothing(tmp_path: Path) -> None:
