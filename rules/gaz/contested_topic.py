@@ -15,6 +15,8 @@ from sdfcheck import (
     Value,
 )
 
+UNSAID = frozenset(("", "__default__", "__default_topic__"))
+"""Topics for which simulators take one of their own."""
 SENSOR = '<sensor name="{}" type="imu"><topic>{}</topic></sensor>'
 CAMERAS = (
     "boundingbox_camera",
@@ -79,6 +81,10 @@ class ContestedTopic(Rule):
         ),
     )
     good = (
+        Good(
+            SENSOR.format("front", "__default_topic__") + SENSOR.format("back", "__default_topic__"),
+            why="each has a topic of its own by default",
+        ),
         Good(SENSOR.format("front", "imu") + SENSOR.format("back", "imu2")),
         Good(CAMERA.format("a", "front/image", "1") + CAMERA.format("b", "back/image", "1.5")),
         Good(
@@ -104,7 +110,7 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
     infos: dict[tuple[Model | None, str], tuple[Value, Sensor]] = {}
     for sensor in root.each(Sensor) if len(elements.get("sensor", ())) > 1 else ():
         value = sensor.value("topic")
-        if value is None or not sensor.topic or "$" in sensor.topic or "{" in sensor.topic:
+        if value is None or sensor.topic in UNSAID or "$" in sensor.topic or "{" in sensor.topic:
             continue
         first, other = topics.setdefault((outermost(sensor), sensor.topic), (value, sensor))
         if first is not value and other is not sensor:

@@ -10,6 +10,8 @@ HUGE = 3.0
 """m: a robot lighter than helium whose shapes are longer is in millimeters as a whole."""
 LEAST = 1.0
 """m: smaller shapes are not that of a machine in millimeters."""
+FLAT = 0.02
+"""Times its length a floor is at most as thick."""
 LARGEST = 100.0
 """m: in 549 public robots with joints and meshes the longest shape is 0.05 to 2 m long; machines in millimeters have
 one of more than this, wherever their joints are."""
@@ -57,6 +59,14 @@ class OversizedShape(Rule):
     good = (
         Good(mesh("visual", "arm.obj", ' scale="0.001 0.001 0.001"'), files={"arm.obj": wedge(300)}),
         Good(mesh("visual", "arm.obj"), files={"arm.obj": wedge(5)}, why="a platform"),
+        Good(
+            '<visual><geometry><box size="200 200 0.1"/></geometry></visual>',
+            scaffold='<robot name="r"><link name="floor">{}</link><link name="a"/><link name="b"/>'
+            '<joint name="f" type="fixed"><parent link="floor"/><child link="a"/></joint>'
+            '<joint name="j" type="continuous"><origin xyz="0 0 0.3"/><parent link="a"/><child link="b"/></joint>'
+            "</robot>",
+            why="a floor",
+        ),
     )
 
     @staticmethod
@@ -93,6 +103,14 @@ def written_size(shape: Shape) -> Value | None:
     return next((each.value for each in measures if each.is_given), None)
 
 
+def is_ground(shape: Shape, model: Model) -> bool:
+    """Is it a flat shape of a link on which nothing moves, as the floor in a scene?"""
+    box, link = shape.geometry.box, shape.link
+    joints = [joint for joint in model.joints if link in {joint.parent_link, joint.child_link}]
+    is_still = all(joint.type == "fixed" for joint in joints)
+    return box is not None and is_still and min(box.size) < FLAT * max(box.size)
+
+
 def is_long(link: Link) -> bool:
     """Has it a shape that is long enough to look at? For a robot without meshes little else is worked out."""
     boxes = (shape.geometry.box for shape in link.shapes)
@@ -117,5 +135,5 @@ def oversized(model: Model) -> list[Shape]:
         shape
         for link in model.links
         for shape in link.shapes
-        if (box := shape.geometry.box) is not None and most < max(box.size)
+        if (box := shape.geometry.box) is not None and most < max(box.size) and not is_ground(shape, model)
     ]

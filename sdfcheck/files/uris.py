@@ -160,7 +160,8 @@ def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -
         if scheme == "model" and not there:
             there = _models_of_project(document, name, around)
             tried += there
-        near = () if there else tuple(found for path in tried if (found := around.disk.ignoring_case(path)))
+        alike = () if there else (around.disk.ignoring_case(path) for path in tried)
+        near = tuple(path for path in alike if path and os.path.isdir(path))
         around.owners[scheme, name] = _Owners(tried, there, near)
     return around.owners[scheme, name]
 

@@ -179,7 +179,8 @@ class Resource(FileUse):
     def meant_package(self) -> str | None:
         """The package of the file itself, if that has what is looked for in one that is not there."""
         location = self.location
-        if location is None or location.scheme != "package" or location.owner is not None:
+        is_inside = location is not None and location.scheme == "package" and location.inside != ""
+        if location is None or not is_inside or location.owner is not None:
             return None
         library, own = library_of(self.document), self.document.view(_own_package)
         has_it = (

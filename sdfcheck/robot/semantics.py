@@ -445,11 +445,11 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         is_complete &= None not in candidates
         scored = [(_score(semantics, robot), robot) for robot in candidates if robot is not None]
         best = max((score for score, _ in scored), default=0.0)
+        if not is_complete and best < 1:
+            return  # the robot that is meant may be the one that cannot be expanded
         if best >= _FEWEST:
             semantics.robots = tuple(robot for score, robot in scored if score == best)
             return
-        if packages is own and not is_complete:
-            return  # the robot that is meant is likely the one that cannot be expanded
         if packages is own and scored and best == 0:
             semantics.strangers = tuple(robot for _, robot in scored)
     if not semantics.strangers:

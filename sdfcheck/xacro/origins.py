@@ -21,13 +21,15 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span, Step, relative_path
 from sdfcheck.xacro.language import is_literal, may_become
 from sdfcheck.xacro.static.definitions import visible_definitions
-from sdfcheck.xacro.static.project import names_beside
+from sdfcheck.xacro.static.project import names_beside, possible_files
 
 _CALLED = (
     r"<xacro:macro\s[^<>]*?\bname\s*=\s*[\"'](?P<macro>[^\"'<>]+)[\"']|(?P<end></xacro:macro)|"
     r"<xacro:(?P<call>[\w.-]+)"
 )
 """The beginning and the end of a macro, and what may be a call of one."""
+_MOST_FILES = 100
+"""So many files are looked at for names that another expansion may bring."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 _WORD = re.compile(r"(?:\$\{[^}]*(?:\}|\Z)|\$\([^)]*(?:\)|\Z)|\S)+")
 
@@ -313,11 +315,17 @@ class ExpandedDocument(Document):
         yield from self.provenance.files
         top = self.provenance.sources.top
         library = library_of(self)
-        document = library.document(top.path, Kind.XACRO, self) if library is not None else None
-        if document is not None:
-            known = {source.path for source in self.provenance.files}
-            found = (read.document.source for read in visible_definitions(document).readings)
-            yield from (source for source in found if source.path not in known)
+        waiting = [top.path] if library is not None else []
+        known = {source.path for source in self.provenance.files} - {top.path}
+        while waiting and library is not None and len(known) < _MOST_FILES:
+            document = library.document(waiting.pop(), Kind.XACRO, self)
+            for read in visible_definitions(document).readings if document is not None else ():
+                source = read.document.source
+                if source.path not in known:
+                    known.add(source.path)
+                    yield source
+                    for include in read.includes:
+                        waiting += possible_files(read.document, include.filename, source.path)
 
     def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         return names_beside(self, self.spans.home(element).path, pattern)

@@ -68,9 +68,9 @@ class _Project:
         for path in self.paths:
             text = text_of(path)
             for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
-                folder, _, last = _pattern(name).rpartition("/")
+                last = _pattern(name).rpartition("/")[2]
                 if _GLOB.search(last):
-                    if _LITERAL.search(folder + last.removesuffix(".xacro").removesuffix(".urdf")):
+                    if _says_something(name):
                         self.patterns.append(_Filename(name, path))
                 else:
                     self.filenames.setdefault(last, []).append(_Filename(name, path))
@@ -152,6 +152,22 @@ def _leads(filename: _Filename, own: str, packages: Packages, library: Library) 
     pattern = _pattern(text)
     whole = pattern if pattern.startswith("*") else os.path.normpath(Path(library.disk.real(folder), pattern))
     return fnmatch(Path(own).as_posix(), Path(whole).as_posix())
+
+
+def possible_files(document: Document, filename: str, by: Path) -> list[Path]:
+    """The xacro files of a document's project to which a path with expressions may lead, as a file writes it."""
+    library = library_of(document)
+    if library is None or library.search.is_alone or is_literal(filename) or not _says_something(filename):
+        return []
+    packages, written = library.packages(by), _Filename(filename, by)
+    paths = _project(library, document).paths
+    return [path for path in paths if _leads(written, library.disk.real(path), packages, library)]
+
+
+def _says_something(filename: str) -> bool:
+    """Is more of a path written than its ending, so that not every file may be meant?"""
+    folder, _, last = _pattern(filename).rpartition("/")
+    return bool(_LITERAL.search(folder + last.removesuffix(".xacro").removesuffix(".urdf")))
 
 
 def passed(document: Document, macro: str, parameter: str) -> frozenset[str]:

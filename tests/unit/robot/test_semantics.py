@@ -230,3 +230,19 @@ def test_a_robot_whose_name_an_argument_gives(package: Path) -> None:
         )
     )
     assert found(package, ARM + '<group name="more"><link name="uper"/></group>') == [("SRD001", "uper")]
+
+
+def test_names_of_files_that_another_argument_includes(package: Path) -> None:
+    (package / "arm.urdf").unlink()
+    (package / "tools").mkdir()
+    (package / "tools/pen_macro.xacro").write_text(
+        HAND.replace("_hand", "_pen").replace('name="hand"', 'name="pen"')
+    )
+    optional = (
+        ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="tool" default=""/>'
+        '<xacro:arg name="off" default="1"/><xacro:unless value="$(arg off)">'
+        '<xacro:include filename="tools/$(arg tool)_macro.xacro"/><xacro:pen side="left"/></xacro:unless'
+    )
+    (package / "arm.urdf.xacro").write_text(ROBOT.format(optional))
+    group = '<group name="g"><link name="left_pen"/><link name="left_fen"/></group>'
+    assert found(package, ARM + ARM.replace("arm", "b") + group) == [("SRD001", "left_fen")]

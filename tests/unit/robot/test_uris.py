@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.files.uris import locate
 from sdfcheck.robot.includes.uri_spelling import UriFault, is_absolute, misspelling, other_case
 from sdfcheck.source.document import Value, read
@@ -151,3 +152,14 @@ def test_wrong_case(tmp_path: Path, uri: str, meant: str) -> None:
     found = other_case(value(uri), locate(opened(tmp_path / "home/main.sdf"), uri))
     assert found is not None
     assert found.meant == meant
+
+
+def test_a_file_is_not_another_spelling_of_a_package(tmp_path: Path) -> None:
+    (tmp_path / "a.stl").write_text("")
+    file = tmp_path / "r.urdf"
+    mesh = '<mesh filename="package://a.stl"/>'
+    file.write_text(
+        f'<robot name="r"><link name="l"><visual><geometry>{mesh}</geometry></visual></link></robot>'
+    )
+    (found,) = sdfcheck.lint(file, isolated=True).missing
+    assert (found.code, found.message) == ("RES001", "package `a.stl` is not on the search path")
