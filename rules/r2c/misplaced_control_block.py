@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, GazeboBlock, Good, Rule, Severity
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Element, GazeboBlock, Good, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import HARDWARE, IN_ROBOT
 
 BLOCK = f'<{{}} name="arm" type="system">{HARDWARE}</ros2_control>'
@@ -41,6 +41,20 @@ class MisplacedControlBlock(Rule):
 
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         for element in block.children("ros2_control"):
-            yield self.diagnostic(
-                element, f"{element.title} is read directly in `robot` only, not in `gazebo`"
-            )
+            message = f"{element.title} is read directly in `robot` only, not in `gazebo`"
+            affects = {Consumer.GAZEBO: REFUSES} if is_copied(block) and names_twice(element) else {}
+            yield self.diagnostic(element, message, affects=affects)
+
+
+def is_copied(block: GazeboBlock) -> bool:
+    """Does libsdformat copy what is in a block into the model?"""
+    return block.element.attribute("reference") is None
+
+
+def names_twice(element: Element) -> bool:
+    """Have two elements in one of the block's the same name, as interfaces for a command and a state do?"""
+    for each in element.walk():
+        names = [child.text_of("name") for child in each.children() if child.attribute("name") is not None]
+        if len(names) != len(set(names)):
+            return True
+    return False

@@ -108,7 +108,10 @@ class OutOfRange(Rule):
             severity = Severity.ERROR
             affects[Consumer.GAZEBO] = REFUSES
         if problem.refused:
-            affects = {**dict.fromkeys(Consumer, REFUSES), **unreadable(problem.value)}
+            others = warns("takes the number as it is") if name == "rgba" else REFUSES
+            affects = {**dict.fromkeys(Consumer, others), **unreadable(problem.value)}
+        if name == "rgba":
+            affects |= {Consumer.DRAKE: REFUSES, Consumer.MUJOCO: others}
         yield self.diagnostic(problem.span, message, severity=severity, affects=affects)
 
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, refuses, replace, unexpanded
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
 
@@ -55,4 +55,10 @@ class UnevaluatedExpression(Rule):
             yield self.diagnostic(problem.span, f"the expression `{text}` has no end", affects=affects)
             return
         fix = replace(problem.span, problem.meant, f"make it `{problem.meant}`", unsafe=True)
-        yield self.diagnostic(problem.span, f"`{text}` is not evaluated", meant=problem.meant, fix=fix)
+        yield self.diagnostic(
+            problem.span,
+            f"`{text}` is not evaluated",
+            meant=problem.meant,
+            fix=fix,
+            affects={} if problem.value is None else unexpanded((problem.value,)),
+        )

@@ -16,7 +16,7 @@ from sdfcheck.cli.parts.descriptions import SearchContext, around, check_argumen
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
-from sdfcheck.consumers.reaction import UNFOUND, Consumer, Verdict
+from sdfcheck.consumers.reaction import READS, UNFOUND, Consumer, Verdict
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.session import Level, Notice, Options
@@ -123,6 +123,11 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     rows = matrix(done, kind, file, consumers)
     document = read(data, file, kind) if kind is Kind.XACRO else None
+    if document is not None and document.root is not None and document.root.name == "sdf":
+        unread = Row(Consumer.GAZEBO, Verdict.UNREAD, (), "it does not know SDFormat")
+        return tuple(
+            row if "sdf" in READS[row.consumer] else unread._replace(consumer=row.consumer) for row in rows
+        )
     if document is None or document.root is None or is_robot(document):
         return rows
     return tuple(Row(row.consumer, Verdict.UNREAD, (), _PART) for row in rows)

@@ -146,18 +146,23 @@ def _without_direction(axis: Element) -> Mapping[Consumer, Reaction]:
     }
 
 
+_LACKING: Mapping[str, Mapping[Consumer, Reaction]] = {
+    "color": {Consumer.PYBULLET: _UNREAD},
+    "dynamics": dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), _UNREAD),
+    "mass": {Consumer.DRAKE: warns("takes 0")},
+    "mimic": {Consumer.PYBULLET: _UNREAD},
+}
+"""Element → the reactions that go by it, whatever it lacks."""
+
+
 def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     """Reactions that go by the element."""
     match element.name:
         case "link" if name == "name":
             return {Consumer.URDFDOM: REFUSES}
-        case "mass":
-            return {Consumer.DRAKE: warns("takes 0")}
         case "robot":
             without = {Consumer.DRAKE: accepts("takes a robot without links")} if name == "link" else {}
             return {**without, Consumer.MUJOCO: _UNREAD}
-        case "color" | "mimic":
-            return {Consumer.PYBULLET: _UNREAD}
         case "texture":
             unread = dict.fromkeys((Consumer.MUJOCO, Consumer.PYBULLET), _UNREAD)
             return {**unread, **_lacking_file(element)}
@@ -167,7 +172,7 @@ def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
                 return {Consumer.MUJOCO: _UNREAD, Consumer.PYBULLET: _UNREAD}
             drake = accepts("needs no name there")
             return {Consumer.DRAKE: drake, Consumer.MUJOCO: mujoco, Consumer.ISAAC: _WITHOUT_IT}
-    return {}
+    return _LACKING.get(element.name, {})
 
 
 def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
@@ -205,7 +210,7 @@ def unexpanded(values: Iterable[Value]) -> Mapping[Consumer, Reaction]:
         for consumer, reaction in _unexpanded(value).items():
             if reaction.severity > found[consumer].severity:
                 found[consumer] = reaction
-    return found
+    return {**found, **dict.fromkeys((Consumer.ROS, Consumer.PINOCCHIO), found[Consumer.URDFDOM])}
 
 
 def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
@@ -215,12 +220,12 @@ def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
         return {Consumer.DRAKE: refuses("does not find the file"), Consumer.MUJOCO: mujoco}
     if value.attribute is None or value.attribute in _NAMING or _is_free(value.element):
         return {}
-    return unreadable(value)
+    return {**unreadable(value), Consumer.ISAAC: REFUSES}
 
 
 def _is_free(element: Element) -> bool:
     """May it say anything: what is in it is for plugins, or is it not an element of URDF, so that nobody reads it?"""
-    path = [element.name, *(each.name for each in element.around)]
+    path = [each.name for each in (element, *element.around) if not each.name.startswith("xacro:")]
     return bool(_FREE.intersection(path)) or urdf().at("/".join(path[-2::-1])) is None
 
 

@@ -231,6 +231,8 @@ class UnevaluatedExpression(Record):
     span: Span
     meant: str
     is_open: bool
+    value: Value | None = None
+    """The attribute that holds it."""
 
 
 class WrongXacroAttribute(Record):

@@ -85,12 +85,13 @@ class Loaded:
 
 
 def with_packages(question: dict[str, Any]) -> str:
-    """The file; for a copy one that names the folders of packages, which PyBullet looks for above the file."""
+    """The file; a copy names the folders of packages, which PyBullet looks for above the file, by their own names."""
     path: str = question["path"]
-    if not question.get("is_copy"):
+    packages = question.get("packages", ())
+    if not question.get("is_copy") and all(Path(folder).name == name for name, folder in packages):
         return path
     text = Path(path).read_text("utf-8", "surrogateescape")
-    for name, folder in question.get("packages", ()):
+    for name, folder in packages:
         text = text.replace(f"package://{name}/", f"{folder}/")
     Path("copy.urdf").write_text(text, "utf-8", "surrogateescape")
     return os.path.abspath("copy.urdf")

@@ -18,6 +18,8 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
 _PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)(/[^\s\"'<>]*)?")
+_NAME = re.compile(r"(?<=<uri>)\s*([\w.-]+)\s*(?=</uri>)")
+"""A name of a model in place of a URI."""
 _MOST = 1_000
 """So many packages are looked for."""
 _LONGEST = 1_000_000
@@ -67,7 +69,8 @@ def packages_in(text: str, document: Document) -> dict[str, str]:
     found: dict[str, str] = {}
     waiting = [text]
     while waiting:
-        for scheme, name, inside in sorted(set(_PACKAGE.findall(waiting.pop()))):
+        named = _NAME.sub(r"model://\1", waiting.pop())
+        for scheme, name, inside in sorted(set(_PACKAGE.findall(named))):
             folder = _folder_of(scheme, name, inside, document) if name not in found else None
             if folder is not None and len(found) < _MOST:
                 found[name] = str(folder)
@@ -76,17 +79,16 @@ def packages_in(text: str, document: Document) -> dict[str, str]:
 
 
 def _folder_of(scheme: str, name: str, inside: str, document: Document) -> Path | None:
-    """The folder of a package or model; of several that which has what is asked for in it."""
+    """The folder of a package or model, absolute; of several that which has what is asked for in it."""
     library = library_of(document)
     path = locate(document, f"{scheme}://{name}{inside}").path if inside else None
-    if path is not None and path.as_posix().endswith(inside):
-        return Path(path.as_posix().removesuffix(inside))
+    whole = "" if path is None else path.absolute().as_posix()
+    if inside and whole.endswith(inside):
+        return Path(whole.removesuffix(inside))
     found = locate(document, f"{scheme}://{name}").owner
-    return (
-        found
-        if found is not None or library is None
-        else library.packages(document.path).find(name, document.path)
-    )
+    if found is None and library is not None:
+        found = library.packages(document.path).find(name, document.path)
+    return None if found is None else found.absolute()
 
 
 def _texts_in(folder: Path) -> Iterator[str]:

@@ -144,7 +144,8 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
                 )
                 if names and is_known and not _is_free(element):
                     span = place(element, attribute, match[0])
-                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False)
+                    value = element.attribute(attribute) if attribute else None
+                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False, value=value)
             for rest in _endless(text, plain):
                 yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
 

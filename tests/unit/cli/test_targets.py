@@ -300,3 +300,16 @@ def test_macros_and_materials_are_a_part_of_robots(
     file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{material}{macro}</robot>')
     main(["targets", str(file), "--isolated", "--target", "urdfdom"])
     assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
+
+
+def test_xacro_of_sdformat_is_for_readers_of_sdformat(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "m.sdf.xacro"
+    model = '<model name="m"><link name="${n}"/></model>'
+    file.write_text(
+        '<sdf version="1.9" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:property name="n" value="l"/>{model}</sdf>'
+    )
+    main(["targets", str(file), "--isolated", "--target", "gazebo,urdfdom"])
+    gazebo, *_, urdfdom = capsys.readouterr().out.splitlines()
+    assert gazebo.startswith("gazebo   ")
+    assert urdfdom == "urdfdom  not read: it does not know SDFormat"

@@ -65,6 +65,8 @@ def test_pybullet_finds_the_packages_of_a_copy(tmp_path: Path, monkeypatch: pyte
     robot.write_text('<mesh filename="package://arm/m.stl"/>')
     question = {"path": str(robot), "packages": [("arm", "/robots/arm")]}
     assert with_packages(question) == str(robot)
+    other = Path(with_packages({**question, "packages": [("arm", "/robots/a")]}))
+    assert other.read_text() == '<mesh filename="/robots/a/m.stl"/>', "PyBullet goes by the names of folders"
     copy = with_packages({**question, "is_copy": True})
     assert Path(copy).read_text() == '<mesh filename="/robots/arm/m.stl"/>'
     assert robot.read_text() == '<mesh filename="package://arm/m.stl"/>'
