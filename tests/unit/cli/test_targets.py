@@ -302,7 +302,9 @@ def test_macros_and_materials_are_a_part_of_robots(
     assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
 
 
-def test_xacro_of_sdformat_is_for_readers_of_sdformat(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_xacro_of_sdformat_is_for_readers_of_sdformat(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     file = tmp_path / "m.sdf.xacro"
     model = '<model name="m"><link name="${n}"/></model>'
     file.write_text(
