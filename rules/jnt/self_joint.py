@@ -1,13 +1,15 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Diagnostic, Good, Joint, Rule, Severity
+from sdfcheck import IN_MODEL, IN_ROBOT, Bad, Consumer, Diagnostic, Good, Joint, Rule, Severity, drops
+
+LOST = dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO), drops("the link"))
 
 
 class SelfJoint(Rule):
     """A joint ties a link to itself.
 
     Parent and child are one name, or frames that move with one link. libsdformat and
-    Drake refuse the file, and in URDF the link hangs below itself, so there is no tree.
+    Drake refuse the file, and in URDF the link hangs below itself, so that it is in no tree.
     """
 
     code = "JNT002"
@@ -70,4 +72,12 @@ class SelfJoint(Rule):
         else:
             ends = f"parent `{parent.text}` and child `{child.text}` of {joint.title}"
             message = f"{ends} are both on link `{link.name if link is not None else ''}`"
-        yield self.diagnostic(child, message, labels={parent: "the parent"})
+        affects = LOST if joint.is_urdf and has_tree_beside(joint) else {}
+        yield self.diagnostic(child, message, labels={parent: "the parent"}, affects=affects)
+
+
+def has_tree_beside(joint: Joint) -> bool:
+    """Is another link the root, so that a tree is left without this one?"""
+    model = joint.model
+    children = {each.child_name for each in model.joints} if model is not None else set()
+    return model is not None and any(link.name not in children for link in model.links)

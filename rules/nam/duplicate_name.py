@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_MODEL,
+    REFUSES,
     Bad,
     BuiltLink,
     Consumer,
@@ -14,6 +15,7 @@ from sdfcheck import (
     Sensor,
     Severity,
     accepts,
+    refuses,
 )
 from sdfcheck_rules.nam.taken import is_free
 
@@ -32,6 +34,15 @@ MERGED = (
 )
 UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
 """The consumers that do not read `<gazebo>` blocks."""
+
+
+IN_LINKS = dict.fromkeys((Consumer.ISAAC, Consumer.PYBULLET), REFUSES)
+IN_MATERIALS = {
+    Consumer.ISAAC: REFUSES,
+    Consumer.MUJOCO: accepts("takes both"),
+    Consumer.PYBULLET: accepts("takes both"),
+}
+IN_JOINTS = {**IN_MATERIALS, Consumer.PYBULLET: refuses("crashes")}
 
 
 class DuplicateName(Rule):
@@ -124,4 +135,6 @@ def merged_sensors(root: Root) -> list[tuple[BuiltLink, Sensor, Sensor]]:
 def _affects(later: Name) -> dict[Consumer, Reaction]:
     if later.is_extension:
         return dict.fromkeys(UNAWARE, accepts("does not read it"))
-    return {} if later.kind == "link" else {Consumer.MUJOCO: accepts("takes both")}
+    if later.kind == "link":
+        return IN_LINKS
+    return IN_JOINTS if later.kind == "joint" else IN_MATERIALS

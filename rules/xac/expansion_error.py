@@ -49,8 +49,9 @@ class ExpansionError(Rule):
     the expression as it is written, and shows the macro calls and includes that lead
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
-    a file that is not there for the default of an argument, and what xacro does not stop for: a
-    pattern that matches no file, and a mistake in a branch or macro that is not reached.
+    an environment variable that is not set here, a file that is not there for the default of an argument,
+    and what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or macro that
+    is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.
@@ -114,7 +115,9 @@ class ExpansionError(Rule):
             labels[problem.cause] = "here"
         if kind == "argument" and reason is not None:
             own["help"] = ""
-        elif kind in {"argument", "pattern"} or (reason is not None and reason.argument):
+        elif kind in {"argument", "pattern", "variable", "withheld"} or (
+            reason is not None and reason.argument
+        ):
             own["severity"] = Severity.WARNING
         if kind == "submodule":
             own |= {"severity": Severity.WARNING, "missing": Missing(MissingKind.SUBMODULE, problem.detail)}

@@ -8,7 +8,7 @@ class RedefinedSymbol(Rule):
     """A property or parameter has the name of something that expressions know.
 
     From there on `pi`, `e` or `len` mean the new value, also in the files that are included. xacro
-    warns: "redefining global symbol".
+    warns: "redefining global symbol". Where the value is the same that is for information.
     """
 
     code = "XAC015"
@@ -29,6 +29,11 @@ class RedefinedSymbol(Rule):
             says="`pi` is known to expressions",
         ),
         Bad(
+            '<xacro:property name="«pi»" value="3.1415926535897931"/><link name="l${pi}"/>',
+            file=FILE,
+            says="expressions know `pi` without this property",
+        ),
+        Bad(
             '<xacro:macro name="m" params="«len»"><link name="${len}"/></xacro:macro><xacro:m len="a"/>',
             file=FILE,
         ),
@@ -43,5 +48,9 @@ class RedefinedSymbol(Rule):
     )
 
     def check(self, problem: problems.RedefinedSymbol) -> Iterator[Diagnostic]:
+        if problem.near is not None:
+            message = f"expressions know `{problem.name}` without this property"
+            yield self.diagnostic(problem.span, message, severity=Severity.INFO)
+            return
         message = f"`{problem.name}` is known to expressions, and means something else from here on"
         yield self.diagnostic(problem.span, message)

@@ -29,7 +29,7 @@ class Oversight(Record):
 
 
 class RedefinedSymbol(Oversight):
-    """A property or parameter has the name of something that expressions know: ``pi``."""
+    """A property or parameter has the name of something that expressions know: ``pi``; ``near``: and its value."""
 
 
 class PrefixedMacroName(Oversight):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
@@ -112,6 +113,7 @@ def is_plain_call(element: Element, visible: Definitions) -> bool:
     return False
 
 
+_NEARLY = 1e-6
 _SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SIGN = re.compile(r"\s*(:?=)(\s*)")
 _SCOPES = ("global", "local", "parent")
@@ -173,11 +175,21 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
 def _symbols(read: Reading) -> Iterator[Oversight]:
     for found in read.properties:
         if found.name in _SYMBOLS and "remove" not in found.element.attributes:
-            yield RedefinedSymbol(_named(found.element), found.name)
+            same = found.name if _is_that_number(found) else None
+            yield RedefinedSymbol(_named(found.element), found.name, near=same)
     for macro in read.macros:
         for parameter in macro.parameters:
             if parameter.name in _SYMBOLS:
                 yield RedefinedSymbol(parameter_place(macro, parameter), parameter.name)
+
+
+def _is_that_number(found: Property) -> bool:
+    """Has a property the value that expressions know by its name?"""
+    known = getattr(math, found.name, None)
+    try:
+        return isinstance(known, float) and abs(float(found.value or "") - known) < _NEARLY
+    except ValueError:
+        return False
 
 
 def _macros(read: Reading) -> Iterator[Oversight]:

@@ -1,4 +1,4 @@
-"""The verdicts of consumers on a robot that lacks an attribute or element: predicted, and their own."""
+"""The verdicts of consumers on a robot with a mistake: predicted, and their own."""
 
 from __future__ import annotations
 
@@ -68,6 +68,24 @@ WITHOUT = {
     "a type that is known": ('type="revolute"', 'type="hinge"'),
     "a type that all know": ('type="revolute"', 'type="spherical"'),
     "a link that is there": ('child link="b"', 'child link="c"'),
+    "another link of a name": ("</robot>", '<link name="b"/></robot>'),
+    "another joint of a name": (
+        "</robot>",
+        '<link name="c"/><joint name="j" type="fixed"><parent link="b"/><child link="c"/></joint></robot>',
+    ),
+    "another material of a name": (
+        "</robot>",
+        '<material name="m"><color rgba="1 0 0 1"/></material></robot>',
+    ),
+    "another child of a joint": ('child link="b"', 'child link="a"'),
+    "a second mass": ("<visual>", '<inertial><mass value="1"/></inertial><visual>'),
+    "a second axis": ("</joint>", '<axis xyz="0 1 0"/></joint>'),
+    "limits in order": ('lower="0" upper="1"', 'lower="1" upper="0"'),
+    "a positive mass": ('mass value="1"', 'mass value="-1"'),
+    "a material that is defined": ('<material name="m"/>', '<material name="n"/>'),
+    "a joint to mimic": ("</joint>", '<mimic joint="k"/></joint>'),
+    "a joint to the link": ("</robot>", '<link name="c"/></robot>'),
+    "a type of SDFormat": ('type="revolute"', 'type="floating"'),
     "the end of a mass": ('<mass value="1"/>', '<mass value="kg"/>'),
 }
 """Missing part → the text that has it, and the one that does not."""
