@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import SearchContext, around, check_arguments, described, load
+from sdfcheck.cli.parts.descriptions import (
+    SearchContext,
+    around,
+    check_arguments,
+    described,
+    load,
+    load_unexpanded,
+)
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
@@ -143,12 +150,14 @@ def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float
     readers = [row.consumer for row in rows if row.verdict is not Verdict.UNREAD]
     with Stage() as stage:
         try:
-            question = stage.question(load(file, around, check=False))
+            document = load(file, around, check=False)
         except WrongUsage as error:
-            return {
-                one: Answer(RUN_BY[one], Outcome.REFUSED, error=f"it gets nothing to read: {error}")
-                for one in readers
-            }
+            written = load_unexpanded(file, around)
+            if written is None:
+                nothing = f"it gets nothing to read: {error}"
+                return {one: Answer(RUN_BY[one], Outcome.REFUSED, error=nothing) for one in readers}
+            document = written
+        question = stage.question(document)
         for consumer in readers:
             engine = RUN_BY[consumer]
             if engine not in known:

@@ -95,6 +95,14 @@ def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
     return document
 
 
+def load_unexpanded(file: Path, around: SearchContext) -> Document | None:
+    """A file of URDF with elements of xacro as it is written: programs that read it leave them out."""
+    settings = around.settings_for(file)
+    if file.suffix.lower() != ".urdf":
+        return None
+    return Library(settings.search, settings.size_limit).document(file, Kind.URDF)
+
+
 def warn_if_broken(*documents: Document) -> None:
     """Say on stderr where the text of a description is broken: what a command shows of it may not be all."""
     from sdfcheck.convert.new_errors import break_of
