@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Model, Rule, Severity, warns
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, GazeboRobot, Good, Link, Model, Rule, Severity, warns
 from sdfcheck_rules.urd.without_mass import in_drake
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -13,8 +13,9 @@ class VanishingRoot(Rule):
 
     libsdformat drops a link without mass together with all that hangs on it. Links that
     fixed joints tie to it count, for they are merged into it; a root called `world` is the
-    world, and then its children are the roots. A robot without any mass at all, fit to be
-    looked at but not to be simulated, gets a mere hint.
+    world, and then its children are the roots. One without mass that is fixed to the world is left out alone,
+    and the joints on it have no parent any more: libsdformat refuses the file. A robot without any mass at all,
+    fit to be looked at but not to be simulated, gets a mere hint.
     """
 
     code = "URD013"
@@ -34,6 +35,16 @@ class VanishingRoot(Rule):
         Bad(
             f'<«link» name="a"/>{LINKS}{TURNING}',
             says="root link `a` has no mass, so libsdformat drops it and the 1 link below it",
+        ),
+        Bad(
+            f'<link name="world"/><«link» name="a"/>{LINKS}{TURNING}'
+            '<joint name="f" type="fixed"><parent link="world"/><child link="a"/></joint>',
+            says="link `a` has no mass, so libsdformat leaves it out, and joint `j` loses its parent",
+        ),
+        Bad(
+            f'<link name="world"/><«link» name="a"/>{LINKS}{TURNING.replace(chr(34) + "a", chr(34) + "world")}'
+            '<joint name="f" type="fixed"><parent link="world"/><child link="a"/></joint>',
+            says="link `a` has no mass, so libsdformat leaves it out",
         ),
         Bad('<«link» name="a"/>', says="no link of robot `r` has mass"),
         Bad('<«link» name="world"/>', says="robot `r` has no link but `world`"),
@@ -60,6 +71,9 @@ class VanishingRoot(Rule):
             if top in built.with_mass:
                 continue
             links = list(top.below())
+            if built.is_left_out(top) and built.with_mass:
+                yield self.left_out(top, built)
+                continue
             if not any(link.has_mass for link in links):
                 message = f"no link of {robot.title} has mass, so libsdformat makes an empty model of it"
                 affects = in_drake(top)
@@ -70,6 +84,19 @@ class VanishingRoot(Rule):
             below = f"{len(links) - 1} link{'s' * (len(links) != 2)}"
             message = f"root {top.title} has no mass, so libsdformat drops it and the {below} below it"
             yield self.diagnostic(top, message, affects=in_drake(top))
+
+    def left_out(self, top: Link, built: GazeboRobot) -> Diagnostic:
+        lost = next((joint for joint in built.joints.values() if joint.parent == top.name), None)
+        if lost is None:
+            message = f"{top.title} has no mass, so libsdformat leaves it out"
+            affects = {**in_drake(top), Consumer.GAZEBO: warns("leaves it out")}
+            return self.diagnostic(top, message, severity=Severity.INFO, affects=affects)
+        message = (
+            f"{top.title} has no mass, so libsdformat leaves it out, and joint `{lost.name}` loses its parent"
+        )
+        affects = {**in_drake(top), Consumer.GAZEBO: REFUSES}
+        labels = {lost.origin: "the joint"}
+        return self.diagnostic(top, message, severity=Severity.ERROR, affects=affects, labels=labels)
 
 
 def is_world_alone(robot: Model) -> bool:

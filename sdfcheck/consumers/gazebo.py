@@ -161,9 +161,19 @@ class GazeboRobot:
             base = self.base(link)
             above = base.parent_joints[0].parent_link if base.parent_joints else None
             hangs = above is not None and above.name != WORLD and above in dropped
+            if above is not None and self.is_left_out(above):
+                hangs = False
             if hangs or base not in self.with_mass:
                 dropped.add(link)
         return dropped
+
+    def is_left_out(self, link: Link) -> bool:
+        """Is it without mass, and fixed to the world? libsdformat leaves out such a link, but not what hangs on it."""
+        joint = link.parent_joints[0] if link.parent_joints else None
+        is_tied = (
+            joint is not None and joint.parent_name == WORLD and joint.is_fixed and not joint.is_preserved
+        )
+        return is_tied and link not in self.with_mass
 
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""

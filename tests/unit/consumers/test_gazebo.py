@@ -140,6 +140,20 @@ def test_moments_that_cannot_be_summed() -> None:
         ),
         (links("world") + links("b", MASS) + joint("j", "world", "b"), []),
         (links("a b", MASS) + joint("j", "a", "b") + joint("k", "b", "a"), []),
+        (
+            links("world a")
+            + links("b", MASS)
+            + joint("j", "world", "a")
+            + joint("k", "a", "b", "continuous"),
+            ["a"],
+        ),
+        (
+            links("world a")
+            + links("b", MASS)
+            + joint("j", "world", "a", "continuous")
+            + joint("k", "a", "b", "continuous"),
+            ["a", "b"],
+        ),
     ],
 )
 def test_links_that_are_left_out(text: str, dropped: list[str]) -> None:
