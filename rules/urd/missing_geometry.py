@@ -86,6 +86,8 @@ class MissingGeometry(Rule):
         affects = {Consumer.MUJOCO: unreadable(shape.element)[Consumer.MUJOCO]}
         if place.name.startswith("drake:"):
             affects[Consumer.DRAKE] = accepts("knows it")
+        if place.name == "plane":
+            affects[Consumer.PYBULLET] = accepts("knows it")
         severity = Severity.WARNING if place.is_custom else None
         return self.diagnostic(place, message, severity=severity, affects=affects, fix=fix)
 

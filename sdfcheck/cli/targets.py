@@ -31,10 +31,10 @@ from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
 from sdfcheck.report.paths import Paths
-from sdfcheck.source.document import read
+from sdfcheck.source.document import Document, read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
-from sdfcheck.xacro.static.definitions import is_robot
+from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
@@ -135,9 +135,17 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
         return tuple(
             row if "sdf" in READS[row.consumer] else unread._replace(consumer=row.consumer) for row in rows
         )
-    if document is None or document.root is None or is_robot(document):
+    if document is None or document.root is None or (is_robot(document) and may_have_links(document)):
         return rows
     return tuple(Row(row.consumer, Verdict.UNREAD, (), _PART) for row in rows)
+
+
+def may_have_links(document: Document) -> bool:
+    """Has a xacro file a link, or one of those that it includes, as far as they are known?"""
+    visible = visible_definitions(document)
+    return visible.is_open or any(
+        element.name == "link" for read in visible.readings for element, _ in read.elements
+    )
 
 
 def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float) -> dict[Consumer, Answer]:

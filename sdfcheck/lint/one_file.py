@@ -183,7 +183,7 @@ class Caches:
                 if not own:
                     own.update(map(library.disk.real, files))
                 key = library.disk.real(document.path)
-                if key not in own and document.kind in _INCLUDABLE:
+                if key not in own and document.included_by and document.kind in _INCLUDABLE:
                     own.add(key)
                     yield document
 

@@ -315,3 +315,11 @@ def test_xacro_of_sdformat_is_for_readers_of_sdformat(
     gazebo, *_, urdfdom = capsys.readouterr().out.splitlines()
     assert gazebo.startswith("gazebo   ")
     assert urdfdom == "urdfdom  not read: it does not know SDFormat"
+
+
+def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "robot.gazebo.xacro"
+    gazebo = '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>'
+    file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{gazebo}</robot>')
+    main(["targets", str(file), "--isolated", "--target", "urdfdom"])
+    assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out

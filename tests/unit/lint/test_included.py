@@ -111,3 +111,15 @@ def test_it_can_be_silenced_where_it_is_included_and_where_it_is(folder: Path, f
     (folder / file).write_text(text.replace(mark, f"<!-- sdfcheck: ignore[malformed-value] -->{mark}"))
     done = lint("one.sdf")
     assert (done.diagnostics, done.suppressed) == ((), 1)
+
+
+def test_files_for_other_versions_are_not_included(folder: Path) -> None:
+    old = '<gazebo version="1.2"><light type="point" name="sun"/></gazebo>'
+    (folder / "parts/old.sdf").write_text(old)
+    (folder / "parts/new.sdf").write_text(BAD_ARM.replace("maybe", "true"))
+    (folder / "parts/model.config").write_text(
+        '<model><name>arm</name><sdf version="1.2">old.sdf</sdf><sdf version="1.12">new.sdf</sdf></model>'
+    )
+    (folder / "one.sdf").write_text(WORLD.replace("parts/arm.sdf", "parts"))
+    assert not lint("one.sdf").diagnostics
+    assert any(each.span.source.path.name == "old.sdf" for each in lint(".").diagnostics)
