@@ -28,6 +28,8 @@ _CALLED = (
     r"<xacro:(?P<call>[\w.-]+)"
 )
 """The beginning and the end of a macro, and what may be a call of one."""
+_MOST_NAMES = 500
+"""With so many names that hold expressions in other branches anything may be a name."""
 _MOST_FILES = 100
 """So many files are looked at for names that another expansion may bring."""
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -262,7 +264,7 @@ class ExpandedDocument(Document):
 
     def __init__(self, source: Source, provenance: Provenance) -> None:
         self.provenance = provenance
-        self._names: dict[str, tuple[str, ...]] = {}
+        self._names: dict[str, tuple[set[str], list[str]]] = {}
         super().__init__(source, None, [])
 
     @property
@@ -284,8 +286,15 @@ class ExpandedDocument(Document):
 
     def may_name(self, pattern: str, name: str) -> bool:
         if pattern not in self._names:
-            self._names[pattern] = tuple(dict.fromkeys(self._unreached_names(pattern)))
-        return any(may_become(written, name) for written in self._names[pattern])
+            names = dict.fromkeys(self._unreached_names(pattern))
+            self._names[pattern] = (
+                {each for each in names if is_literal(each)},
+                [each for each in names if not is_literal(each)],
+            )
+        literal, others = self._names[pattern]
+        if name in literal or len(others) > _MOST_NAMES:
+            return True
+        return any(may_become(written, name) for written in others)
 
     def _unreached_names(self, pattern: str) -> Iterator[str]:
         """The names, by the group of a pattern, where the expansion wrote nothing and another one may.
