@@ -25,6 +25,8 @@ ROBOT = """
 <limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>
 """.strip()
 
+OLDEST = 17
+"""The release of libsdformat whose verdicts are predicted."""
 WITHOUT = {
     "the name of the robot": (' name="r"', ""),
     "the name of a link": ('<link name="b">', "<link>"),
@@ -103,5 +105,7 @@ def test_the_verdict_is_that_of_the_consumer(tmp_path: Path, consumer: Consumer,
     file.write_text(ROBOT.replace(with_it, without, 1), "utf-8")
     (row,) = verdicts(file, (consumer,), SearchContext(Configuration(isolated=True)))
     answer = ask(engine, Question(file), Limits(20.0))
+    if consumer is Consumer.GAZEBO and int(answer.version.partition(".")[0] or 0) < OLDEST:
+        pytest.skip(f"libsdformat {answer.version} is older than the one whose verdicts are predicted")
     words = re.sub(r"\s+", " ", answer.error)[:200]
     assert (row.verdict is Verdict.REJECT) is (not answer.is_accepted), (row.verdict, words)
