@@ -60,7 +60,8 @@ class UnknownSemanticName(Rule):
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         for part in semantics.unknown:
             name, near = part.value.text.strip(), semantics.guess(part)
-            message = f"robot `{semantics.name}` has no {part.kind} `{name}`"
+            robot = semantics.robots[0].name if len(semantics.robots) == 1 else semantics.name
+            message = f"robot `{robot}` has no {part.kind} `{name}`"
             is_pair = part.value.element.name.endswith("collisions")
             severity = Severity.WARNING if is_pair else None
             yield self.diagnostic(part.value, message, meant=near, severity=severity)

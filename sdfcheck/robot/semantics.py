@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain
+from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -444,17 +445,30 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         candidates = list(_candidates(semantics, packages, expand))
         is_complete &= None not in candidates
         scored = [(_score(semantics, robot), robot) for robot in candidates if robot is not None]
-        best = max((score for score, _ in scored), default=0.0)
-        if not is_complete and best < 1:
-            return  # the robot that is meant may be the one that cannot be expanded
-        if best >= _FEWEST:
-            semantics.robots = tuple(robot for score, robot in scored if score == best)
+        if _is_decided(semantics, scored, own, is_complete=is_complete):
             return
-        if packages is own and scored and best == 0:
+        if packages is own and scored and max(scored, key=itemgetter(0))[0] == 0:
             semantics.strangers = tuple(robot for _, robot in scored)
     if not semantics.strangers:
-        semantics.robots = tuple(_called_alike(semantics, own))
+        alike = _called_alike(semantics, own)
+        semantics.robots = () if alike is None else (alike,)
         semantics.namesake = _namesake(semantics, own)
+
+
+def _is_decided(
+    semantics: Semantics, scored: Sequence[tuple[float, Model]], own: Packages, *, is_complete: bool
+) -> bool:
+    """Take the robots with most of the names, unless another one may be meant; is the search at its end?"""
+    best = max((score for score, _ in scored), default=0.0)
+    if 0 < best < 1 and (alike := _called_alike(semantics, own, above=best)) is not None:
+        semantics.robots = (alike,)  # the name was copied with another file
+        return True
+    if best < 1 and not is_complete:
+        return True  # the robot that is meant may be the one that cannot be expanded
+    if best >= _FEWEST:
+        semantics.robots = tuple(robot for score, robot in scored if score == best)
+        return True
+    return False
 
 
 def _declared_robots(semantics: Semantics, library: Library, expand: Expand | None) -> Iterator[Model | None]:
@@ -465,15 +479,15 @@ def _declared_robots(semantics: Semantics, library: Library, expand: Expand | No
             yield _robot(meant.path, head, semantics, expand, meant.arguments)
 
 
-def _called_alike(semantics: Semantics, packages: Packages) -> Iterator[Model]:
-    """The robot of another name, in the nearest URDF file that is called like the SRDF file, if it has all names."""
+def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99) -> Model | None:
+    """The robot of another name in the nearest URDF file called like the SRDF file, if it has enough of the names."""
     for path in _files(semantics.document, packages, (".urdf",)):
         if path.stem == semantics.document.path.stem:
             head = _head(path, semantics)
             robot = None if head is None else _robot(path, head, semantics, None)
-            if robot is not None and _score(semantics, robot) == 1:
-                yield robot
-                return
+            if robot is not None and robot.name != semantics.name and _score(semantics, robot) > above:
+                return robot
+    return None
 
 
 def _namesake(semantics: Semantics, packages: Packages) -> Model | None:

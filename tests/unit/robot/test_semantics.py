@@ -246,3 +246,11 @@ def test_names_of_files_that_another_argument_includes(package: Path) -> None:
     (package / "arm.urdf.xacro").write_text(ROBOT.format(optional))
     group = '<group name="g"><link name="left_pen"/><link name="left_fen"/></group>'
     assert found(package, ARM + ARM.replace("arm", "b") + group) == [("SRD001", "left_fen")]
+
+
+def test_a_file_with_the_name_of_a_robot_beside_its_own(package: Path) -> None:
+    (package / "leg.urdf").write_text(
+        ROBOT.format("").replace('name="arm"', 'name="leg"').replace("upper", "thigh")
+    )
+    text = ARM.replace("upper", "thigh") + '<group name="more"><link name="thigh"/><link name="thy"/></group>'
+    assert found(package, text, name="leg.srdf") == [("SRD001", "thy")]
