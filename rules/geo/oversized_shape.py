@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from math import inf
 
 from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity, Shape, Value, used
@@ -103,12 +103,10 @@ def written_size(shape: Shape) -> Value | None:
     return next((each.value for each in measures if each.is_given), None)
 
 
-def is_ground(shape: Shape, model: Model) -> bool:
+def is_ground(shape: Shape, moving: Set[Link | None]) -> bool:
     """Is it a flat shape of a link on which nothing moves, as the floor in a scene?"""
-    box, link = shape.geometry.box, shape.link
-    joints = [joint for joint in model.joints if link in {joint.parent_link, joint.child_link}]
-    is_still = all(joint.type == "fixed" for joint in joints)
-    return box is not None and is_still and min(box.size) < FLAT * max(box.size)
+    box = shape.geometry.box
+    return box is not None and shape.link not in moving and min(box.size) < FLAT * max(box.size)
 
 
 def is_long(link: Link) -> bool:
@@ -131,9 +129,11 @@ def oversized(model: Model) -> list[Shape]:
         most = min(most, LARGEST)
     if is_thin(model):
         most = HUGE
+    joints = [joint for joint in model.joints if joint.type != "fixed"]
+    moving = {end for joint in joints for end in (joint.parent_link, joint.child_link)}
     return [
         shape
         for link in model.links
         for shape in link.shapes
-        if (box := shape.geometry.box) is not None and most < max(box.size) and not is_ground(shape, model)
+        if (box := shape.geometry.box) is not None and most < max(box.size) and not is_ground(shape, moving)
     ]

@@ -72,12 +72,5 @@ class SelfJoint(Rule):
         else:
             ends = f"parent `{parent.text}` and child `{child.text}` of {joint.title}"
             message = f"{ends} are both on link `{link.name if link is not None else ''}`"
-        affects = LOST if joint.is_urdf and has_tree_beside(joint) else {}
+        affects = LOST if joint.is_urdf and joint.model is not None and joint.model.tree.has_root else {}
         yield self.diagnostic(child, message, labels={parent: "the parent"}, affects=affects)
-
-
-def has_tree_beside(joint: Joint) -> bool:
-    """Is another link the root, so that a tree is left without this one?"""
-    model = joint.model
-    children = {each.child_name for each in model.joints} if model is not None else set()
-    return model is not None and any(link.name not in children for link in model.links)

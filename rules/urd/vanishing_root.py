@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, GazeboRobot, Good, Link, Model, Rule, Severity, warns
+from sdfcheck import REFUSES, Bad, BuiltJoint, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
 from sdfcheck_rules.urd.without_mass import in_drake
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -67,12 +67,13 @@ class VanishingRoot(Rule):
             message = f"{robot.title} has no link but `world`, so libsdformat makes an empty model of it"
             yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
         built = robot.as_built_by(Consumer.GAZEBO)
+        first_below = {joint.parent: joint for joint in reversed(built.joints.values())}
         for top in built.tops:
             if top in built.with_mass:
                 continue
             links = list(top.below())
             if built.is_left_out(top) and built.with_mass:
-                yield self.left_out(top, built)
+                yield self.left_out(top, first_below.get(top.name))
                 continue
             if not any(link.has_mass for link in links):
                 message = f"no link of {robot.title} has mass, so libsdformat makes an empty model of it"
@@ -85,8 +86,7 @@ class VanishingRoot(Rule):
             message = f"root {top.title} has no mass, so libsdformat drops it and the {below} below it"
             yield self.diagnostic(top, message, affects=in_drake(top))
 
-    def left_out(self, top: Link, built: GazeboRobot) -> Diagnostic:
-        lost = next((joint for joint in built.joints.values() if joint.parent == top.name), None)
+    def left_out(self, top: Link, lost: BuiltJoint | None) -> Diagnostic:
         if lost is None:
             message = f"{top.title} has no mass, so libsdformat leaves it out"
             affects = {**in_drake(top), Consumer.GAZEBO: warns("leaves it out")}

@@ -50,7 +50,7 @@ class RedefinedSymbol(Rule):
     def check(self, problem: problems.RedefinedSymbol) -> Iterator[Diagnostic]:
         if problem.near is not None:
             message = f"expressions know `{problem.name}` without this property"
-            yield self.diagnostic(problem.span, message, severity=Severity.INFO)
+            yield self.diagnostic(problem.span, message, severity=Severity.INFO, help="remove it")
             return
         message = f"`{problem.name}` is known to expressions, and means something else from here on"
         yield self.diagnostic(problem.span, message)

@@ -28,6 +28,7 @@ class UnusedProperty(Rule):
         ),
     )
     good = (
+        Good('<xacro:property name="pi" value="3"/>', why="redefined-symbol reports it", file=FILE),
         Good('<xacro:property name="height" value="1"/><link name="l${height}"/>', file=FILE),
         Good(
             '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">'

@@ -28,7 +28,7 @@ from sdfcheck.files.regular import read_named
 from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
-from sdfcheck.lint.targets import Reason, Row, matrix
+from sdfcheck.lint.targets import NO_SDF, Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.document import Document, read
@@ -131,9 +131,9 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     rows = matrix(done, kind, file, consumers)
     document = read(data, file, kind) if kind is Kind.XACRO else None
     if document is not None and document.root is not None and document.root.name == "sdf":
-        unread = Row(Consumer.GAZEBO, Verdict.UNREAD, (), "it does not know SDFormat")
         return tuple(
-            row if "sdf" in READS[row.consumer] else unread._replace(consumer=row.consumer) for row in rows
+            row if "sdf" in READS[row.consumer] else Row(row.consumer, Verdict.UNREAD, (), NO_SDF)
+            for row in rows
         )
     if document is None or document.root is None or (is_robot(document) and may_have_links(document)):
         return rows

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops, refuses, warns
 from sdfcheck.formats.urdf.schema import extension, urdf
-from sdfcheck.source.document import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
@@ -24,7 +24,7 @@ _FREE = frozenset(("transmission", "gazebo", "ros2_control"))
 _UNREAD = accepts("does not read it")
 _OF_SPRINGS = frozenset(("spring_reference", "spring_stiffness"))
 _ASIDE = frozenset(("safety_controller", "calibration"))
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 _NUMBERS = re.compile(rf"(?:{_NUMBER}\s+)*{_NUMBER}(?![\d.eE])\S*")
 """Numbers, of which the last one may be followed by something else."""
 _FIELDS = {"xyz": 3, "rpy": 3, "size": 3, "scale": 3, "rgba": 4, "quat_xyzw": 4}
@@ -88,14 +88,18 @@ def _is_cut(value: Value) -> bool:
 def _carries_the_rest(element: Element) -> bool:
     """Is an element in the root link, which libsdformat drops without its mass, with all that it carries?"""
     link = next((each for each in element.around if each.name == "link"), None)
-    robot = None if link is None else link.parent
-    if link is None or robot is None:
-        return False
-    name = link.text_of("name")
-    ends = {(end.name, end.text_of("link")) for joint in robot.children("joint") for end in joint.children()}
-    fixed = (joint for joint in robot.children("joint") if joint.text_of("type") == "fixed")
-    holds = any(end.text_of("link") == name for joint in fixed for end in joint.children("parent"))
-    return ("child", name) not in ends and not holds
+    return link is not None and link.text_of("name") not in element.document.view(_carried)
+
+
+def _carried(document: Document) -> frozenset[str | None]:
+    """The links that hang on another one, or to which a fixed joint ties one that may give them its mass."""
+    joints = document.root.children("joint") if document.root is not None else ()
+    ends = ((joint.text_of("type"), end) for joint in joints for end in joint.children())
+    return frozenset(
+        end.text_of("link")
+        for kind, end in ends
+        if end.name == "child" or (end.name == "parent" and kind == "fixed")
+    )
 
 
 def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:

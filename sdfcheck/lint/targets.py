@@ -16,6 +16,7 @@ from sdfcheck.source.sniff import Kind
 # Which consumer accepts a file: what the diagnostics say of consumers, turned around.
 
 _DRAKE_ENDINGS = (".sdf", ".urdf")
+NO_SDF = "it does not know SDFormat"
 _WORST_FIRST = tuple(reversed(Verdict))
 
 
@@ -67,7 +68,7 @@ def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
 def _unread(kind: Kind, path: Path, consumer: Consumer) -> str:
     """Why a consumer does not even open a file; of xacro, what counts is what it expands to."""
     if kind is Kind.SDF and "sdf" not in READS[consumer]:
-        return "it does not know SDFormat"
+        return NO_SDF
     if consumer is Consumer.DRAKE and kind is not Kind.XACRO and path.suffix.lower() not in _DRAKE_ENDINGS:
         return "it goes by the name of the file, which must end in .sdf or .urdf"
     return ""

@@ -1212,6 +1212,12 @@ class Tree:
         """The links to which no joint leads, in the order of the file."""
         return [link for link in self.links.values() if link not in self.parents]
 
+    @lazy
+    def has_root(self) -> bool:
+        """Is a link the child of no joint, not even of one that ties it to itself?"""
+        children = {joint.child_name for joint in self.joints}
+        return any(name not in children for name in self.links)
+
     def below(self, *links: Link) -> Iterator[Link]:
         """The links and all links below them, each once, even where joints lead round in a circle."""
         seen = set(links)

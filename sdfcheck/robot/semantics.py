@@ -402,6 +402,8 @@ def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
 
 MOST_FILES = 1000
 MOST_ROBOTS = 6
+_MOST_GUESSES = 20
+"""So many files are expanded because an expression may give the name of the robot."""
 """So many files of a project are looked at, and so many robots compared."""
 
 _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
@@ -597,7 +599,7 @@ def _score(semantics: Semantics, robot: Model) -> float:
 
 def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model | None]:
     """The robots of its name that have links; None for each that cannot be expanded."""
-    found = 0
+    found = guesses = 0
     suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
     for path in _files(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
@@ -605,6 +607,10 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
         head = _own_head(path, semantics)
         if head is None:
             continue
+        guesses += is_expression(head.name)
+        if guesses > _MOST_GUESSES:
+            yield None  # another one may be meant
+            return
         robot = _robot(path, head, semantics, expand)
         if robot is not None and robot.name != semantics.name:
             continue  # an expression gives another name

@@ -67,6 +67,8 @@ ONLY_IN_MODULE = frozenset(
     ["arg", "error", "fatal", "fma", "message", "print_location", "sumprod", "tokenize", "warning"]
 )
 """Functions that a property may be called after: they are known with their module only, or not everywhere."""
+SYMBOLS = BUILT_IN - ONLY_IN_MODULE
+"""The names that expressions know, and that a property or parameter of that name redefines."""
 
 _EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
 """An expression or a substitution; a doubled dollar sign escapes it."""

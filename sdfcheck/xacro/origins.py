@@ -6,7 +6,7 @@ import os
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping, Sequence, Set
-from itertools import chain
+from itertools import chain, islice
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
@@ -333,8 +333,9 @@ class ExpandedDocument(Document):
                 if source.path not in known:
                     known.add(source.path)
                     yield source
-                    for include in read.includes:
-                        waiting += possible_files(read.document, include.filename, source.path)
+                    names = dict.fromkeys(include.filename for include in read.includes)
+                    for name in islice(names, _MOST_FILES):
+                        waiting += possible_files(read.document, name, source.path)
 
     def names_of_others(self, pattern: str, element: Element) -> Set[str]:
         return names_beside(self, self.spans.home(element).path, pattern)

@@ -87,8 +87,8 @@ WITHOUT = {
     "a material that is defined": ('<material name="m"/>', '<material name="n"/>'),
     "a joint to mimic": ("</joint>", '<mimic joint="k"/></joint>'),
     "a joint to the link": ("</robot>", '<link name="c"/></robot>'),
-    "a type of SDFormat": ('type="revolute"', 'type="floating"'),
-    "the end of a mass": ('<mass value="1"/>', '<mass value="kg"/>'),
+    "a single axis": ('type="revolute"', 'type="floating"'),
+    "the digits of a mass": ('<mass value="1"/>', '<mass value="kg"/>'),
 }
 """Missing part → the text that has it, and the one that does not."""
 

@@ -19,6 +19,7 @@ from sdfcheck.xacro.language import (
     KEYWORDS,
     LONGEST_CODE,
     PREFIX,
+    SYMBOLS,
     expressions,
     is_literal,
     replaced,
@@ -389,6 +390,8 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Pro
         attributes = found.element.attributes
         if attributes.get("remove") or attributes.get("scope") or not found.name.isidentifier():
             continue
+        if found.name in SYMBOLS:
+            continue  # reported as a redefined symbol
         seen.add(found.name)
         yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)
 

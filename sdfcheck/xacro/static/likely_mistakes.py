@@ -14,12 +14,11 @@ from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.language import (
-    BUILT_IN,
     DEPRECATED,
     KEYWORDS,
     LEADING,
-    ONLY_IN_MODULE,
     PREFIX,
+    SYMBOLS,
     Parameter,
     is_literal,
     substitutions,
@@ -114,7 +113,6 @@ def is_plain_call(element: Element, visible: Definitions) -> bool:
 
 
 _NEARLY = 1e-6
-_SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 _SIGN = re.compile(r"\s*(:?=)(\s*)")
 _SCOPES = ("global", "local", "parent")
 _NAMESPACE = "http://www.ros.org/wiki/xacro"
@@ -174,12 +172,12 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
 
 def _symbols(read: Reading) -> Iterator[Oversight]:
     for found in read.properties:
-        if found.name in _SYMBOLS and "remove" not in found.element.attributes:
+        if found.name in SYMBOLS and "remove" not in found.element.attributes:
             same = found.name if _is_that_number(found) else None
             yield RedefinedSymbol(_named(found.element), found.name, near=same)
     for macro in read.macros:
         for parameter in macro.parameters:
-            if parameter.name in _SYMBOLS:
+            if parameter.name in SYMBOLS:
                 yield RedefinedSymbol(parameter_place(macro, parameter), parameter.name)
 
 

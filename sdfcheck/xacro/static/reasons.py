@@ -56,7 +56,6 @@ _FOREIGN = {
 """Elements of other languages → what xacro has instead."""
 
 _ARGUMENT = re.compile(r"(?<!['\"])\$\(arg\s+(\w+)\)")
-_ASKED = re.compile(r"\$\(arg\s+(\w+)\s*\)")
 _LONGEST = 1000
 """Characters of an expression that is looked at."""
 _NO_LETTER = re.compile(r"\W")
@@ -242,9 +241,10 @@ def _of_value(problem: ExpansionFailure, document: Document) -> Reason | None:
     name, text, place = found[0]
     label = f"`{name}` is set here"
     for asked, default, _ in found if problem.is_absence else ():
-        if match := _ASKED.fullmatch(asked):
-            words = f"the default of argument `{match[1]}` is `{default}`"
-            return Reason(words, place, label, argument=match[1])
+        if asked.startswith(_GIVEN):
+            argument = asked[len(_GIVEN) : -1]
+            words = f"the default of argument `{argument}` is `{default}`"
+            return Reason(words, place, label, argument=argument)
     return Reason(f"`{name}` is `{text}`", place, label)
 
 
@@ -317,6 +317,8 @@ MOST = 3
 
 _CALL = re.compile(r"in macro `([^`]+)`")
 _NAMED_ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
+_GIVEN = "$(arg "
+"""The beginning of an argument among names."""
 
 
 class Giver(NamedTuple):
@@ -347,12 +349,12 @@ def _names(text: str) -> Iterator[str]:
         yield from sorted(free_names(code) - BUILT_IN, key=code.find)
     for _, command in substitutions(text):
         if match := _NAMED_ARGUMENT.match(command):
-            yield f"$(arg {match[1]})"
+            yield f"{_GIVEN}{match[1]})"
 
 
 def giver_of(name: str, way: tuple[Step, ...], visible: Definitions) -> tuple[Giver, tuple[Step, ...]] | None:
     """The text that gives a name its value inside some calls, and the scope that it is evaluated in."""
-    if name.startswith("$(arg "):
+    if name.startswith(_GIVEN):
         return _argument(name, visible)
     for depth, step in enumerate(way):
         call = _CALL.match(step.text)
@@ -390,7 +392,7 @@ def _inside(name: str, step: Step, macro: Macro, visible: Definitions) -> tuple[
 
 def _argument(name: str, visible: Definitions) -> tuple[Giver, tuple[Step, ...]] | None:
     """The default of an argument."""
-    own = name[len("$(arg ") : -1]
+    own = name[len(_GIVEN) : -1]
     homes = [read for read in visible.readings if own in read.argument_elements]
     value = homes[0].argument_elements[own].attribute("default") if len(homes) == 1 else None
     return None if value is None else (Giver(name, value.text, value.span), ())

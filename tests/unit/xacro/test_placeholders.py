@@ -261,9 +261,8 @@ def test_a_template_is_read_in_place_of_what_a_build_makes_of_it(tmp_path: Path)
         template.format('@MORE@<xacro:property name="v" value="${@N@}"/>')
     )
     assert found(tmp_path, PACKAGE + '<link name="base"/>' + joint.format("base")) == []
-    assert (
-        found(tmp_path, PACKAGE + '<link name="base"/>' + joint.format("made")) == []
-    )  # who knows what it makes
+    made = joint.format("made")  # the build may put it in the place of @MORE@
+    assert found(tmp_path, PACKAGE + '<link name="base"/>' + made) == []
     assert found(tmp_path, PACKAGE + '<link name="base" frame="a"/>') == [("URD002", "frame")]
     assert found(tmp_path, PACKAGE.replace("parts", "lost") + '<link name="base"/>')[0][0] == "XAC001"
 

@@ -41,6 +41,7 @@ def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found
         ('<xacro:include filename="parts/*.xacro"/><link name="a"/>', [("XAC001", "warning")]),
         ('<xacro:include filename="parts/*.xacro" optional="true"/><link name="a"/>', []),
         ('<xacro:include filename="parts/a.xacro"/><link name="a"/>', [("XAC001", "error")]),
+        ('<link name="$(env NOT_SET_HERE)"/>', [("XAC001", "warning")]),
     ],
 )
 def test_it_is_an_error_only_if_xacro_stops(folder: Path, content: str, expected: Found) -> None:
