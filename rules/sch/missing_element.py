@@ -149,7 +149,8 @@ class MissingElement(Rule):
                 message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
             fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
         if problem.refused:
-            yield self.diagnostic(place, message, fix=fix, affects=lacking(problem.element, problem.child))
+            affects = lacking(problem.element, problem.child)
+            yield self.diagnostic(place, message, fix=fix, affects=affects, labels=other_end(problem))
             return
         if problem.default is not None:
             is_one = len(problem.attributes) < 2
@@ -158,6 +159,13 @@ class MissingElement(Rule):
         if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
         yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
+
+
+def other_end(problem: problems.MissingElement) -> dict[Element, str]:
+    """Where a joint that lacks one of its ends names the other one, beside which the missing one belongs."""
+    other = {"child": "parent", "parent": "child"}.get(problem.child, "")
+    end = problem.element.find(other) if other else None
+    return {} if end is None else {end: f"its {other}"}
 
 
 def as_elements(element: Element, names: Mapping[str, str]) -> Fix | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -47,8 +48,8 @@ _PLACES: dict[str, frozenset[str]] = {
 
 _WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
 _TEXTURED = frozenset({"projector", "sky"})
-_SHIPPED = ("file://media/", "__default__")
-"""What Gazebo Classic brings along, and the word for nothing."""
+_SHIPPED = re.compile(r"file://media/.*/|__default__")
+"""The folders that Gazebo Classic brings along, and the word for nothing."""
 _SHIPPED_ACTORS = frozenset(
     f"{name}.dae" for name in "moonwalk run sit_down sitting stand stand_up talk_a talk_b walk".split()
 )
@@ -218,7 +219,7 @@ def resources_of(root: Whole) -> tuple[Resource, ...]:
 
 def _is_literal(value: Value) -> bool:
     text = value.text.strip()
-    is_shipped = text.startswith(_SHIPPED) or text in _SHIPPED_ACTORS
+    is_shipped = _SHIPPED.match(text) is not None or text in _SHIPPED_ACTORS
     return bool(text) and not is_shipped and not any(mark in text for mark in _EXPRESSIONS)
 
 
