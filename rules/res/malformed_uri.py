@@ -51,7 +51,7 @@ class MalformedUri(Rule):
             URDF_MESH.format("«package:/arm/arm.stl»"),
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,
-            says="is not followed by two slashes",
+            says="needs exactly two slashes after it",
         ),
         Bad(
             MESH.format("«model:\\\\arm\\arm.dae»"),
@@ -77,7 +77,7 @@ class MalformedUri(Rule):
         Bad(
             MESH.format("«https:/fuel.example.org/arm»"),
             fixed=MESH.format("https://fuel.example.org/arm"),
-            says="is not followed by two slashes",
+            says="needs exactly two slashes after it",
         ),
         Bad(
             URDF_MESH.format("« package://arm/arm.stl»"),
@@ -113,7 +113,7 @@ class MalformedUri(Rule):
         scheme = named.uri.partition(":")[0]
         message = {
             UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
-            UriFault.SLASHES: f"`{scheme}:` is not followed by two slashes in `{text}`",
+            UriFault.SLASHES: f"`{scheme}:` needs exactly two slashes after it in `{text}`",
             UriFault.SCHEME_CASE: f"the scheme `{scheme}` should be in lower case",
             UriFault.UNKNOWN_SCHEME: f"the scheme `{scheme}` is not known",
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",

@@ -52,9 +52,7 @@ class MissingFile(Rule):
 
     bad = (
         Bad(MESH.format("«arm.dae»"), files={}, says="mesh `arm.dae` does not exist"),
-        Bad(
-            MESH.format("«file://media/arm.dae»"), files={}, says="there is no folder `media`"
-        ),
+        Bad(MESH.format("«file://media/arm.dae»"), files={}, says="there is no folder `media`"),
         Bad(
             MESH.format("«model://robot/meshes/arn.dae»"),
             fixed=MESH.format("model://robot/meshes/arm.dae"),

@@ -237,16 +237,18 @@ def _folded(line: str, indent: int, width: int | None) -> list[str]:
 
 
 def _reasons(row: Row, file: Path, most: int | None) -> list[str]:
-    """The lines of the reasons; those that read alike share one, unless all are asked for."""
+    """The lines of the reasons; those of one rule share one, unless all are asked for."""
     groups: dict[object, list[Reason]] = {}
     for number, reason in enumerate(row.reasons):
-        key = (reason.reaction, reason.diagnostic.code, reason.diagnostic.message)
+        key = (reason.reaction, reason.diagnostic.code)
         groups.setdefault(number if most is None else key, []).append(reason)
     lines = []
     for first, *others in list(groups.values())[:most]:
         verdict, words = first.reaction
-        place = _place(first, file) + (f" and {counted(len(others), 'other place')}" if others else "")
         about = first.diagnostic
+        is_same = all(other.diagnostic.message == about.message for other in others)
+        more = counted(len(others), "other place") if is_same else f"{len(others)} like it"
+        place = _place(first, file) + (f" and {more}" if others else "")
         lines.append(f"{verdict.value:6} {place}: {about.message} [{about.code}] ({words})")
     if left := sum(map(len, list(groups.values())[len(lines) :])):
         lines.append(f"and {left} more (--all shows them)")

@@ -209,7 +209,8 @@ def test_reasons_fold_at_the_width_and_all_of_them_can_be_shown(tmp_path: Path) 
     folded = list(lines(rows, tmp_path / "r.urdf", width=60, color=True))
     assert folded[0] == "mujoco  \x1b[1;31mreject\x1b[0m"
     assert max(map(len, folded[1:])) <= 60
-    assert folded[-1].endswith("more (--all shows them)")
+    assert folded[-1].endswith("--all shows each place")
+    assert any("like it: " in line for line in folded)
     whole = list(lines(rows, tmp_path / "r.urdf", most=None))
     assert len(whole) == 1 + len(rows[0].reasons) > 6
 
