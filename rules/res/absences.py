@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 
-from sdfcheck import Consumer, Reaction, Resource, accepts
+from sdfcheck import Consumer, Reaction, Resource, accepts, warns
 from sdfcheck_rules.res.places import expected
 
 
@@ -44,7 +44,8 @@ def reactions(uses: Sequence[Resource], missing: Reaction) -> dict[Consumer, Rea
     looking = {consumer for use in uses for consumer in looking_for(use)}
     unread = accepts("does not look for it")
     every = (Consumer.DRAKE, Consumer.PYBULLET, Consumer.MUJOCO)
-    return {consumer: missing if consumer in looking else unread for consumer in every}
+    found = {consumer: missing if consumer in looking else unread for consumer in every}
+    return found | ({Consumer.ISAAC: warns("leaves it out")} if uses[0].root.is_urdf else {})
 
 
 def looking_for(resource: Resource) -> set[Consumer]:
