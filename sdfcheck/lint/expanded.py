@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import islice
+from pathlib import Path
 
-from sdfcheck.lint.diagnostic import Diagnostic
+from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle, without_repeats
 from sdfcheck.robot.graph import GazeboBlock, Joint, Link
@@ -21,6 +24,7 @@ from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
+from sdfcheck.xacro.static.definitions import keyword, visible_definitions
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
 
 # Lints a xacro file: as it is written, and as what it expands to.
@@ -30,7 +34,7 @@ def lint_xacro(
     document: Document,
     dispatch: Dispatch,
     expander: Expander | None,
-    argument_sets: Iterable[Mapping[str, str]] = (),
+    argument_sets: Sequence[Mapping[str, str]] = (),
 ) -> list[Diagnostic]:
     """All diagnostics of a xacro file, where people edit it; without ``expander`` it is only read."""
     prepared = prepare(document, expander, argument_sets)
@@ -46,6 +50,8 @@ def lint_xacro(
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
     found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
+    if expander is not None and not argument_sets and len(prepared.documents) == 1:
+        found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
     return without_repeats(fold(found))
 
 
@@ -82,6 +88,79 @@ def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispat
     found = list(explain(bodies.problems, document, dispatch))
     parts = list(parts_in_macros(document, bodies.elements))
     return found + list(look_at(parts, bodies.elements, document, dispatch))
+
+
+# Lints the robots that other arguments make: each boolean turned, each empty prefix filled.
+
+_TURNED = {"true": "false", "false": "true", "True": "False", "False": "True", "1": "0", "0": "1"}
+_OFF = frozenset({"false", "False", "0"})
+_OF_ENVIRONMENT = re.compile(r"^\$\(optenv\s+\w+\s+(\w+)\s*\)$")
+_FILLED = "any_"
+_MOST_VARIANTS = 8
+_MOST_ELEMENTS = 6_000
+"""So many elements all variants of a robot may have together."""
+
+
+def _lint_variants(
+    document: Document,
+    robot: ExpandedDocument,
+    dispatch: Dispatch,
+    expander: Expander,
+    known: Iterable[Diagnostic],
+) -> Iterator[Diagnostic]:
+    """The errors that are in a robot only with another value of an argument, which each names.
+
+    They are warnings for this file, and do not count for what a consumer does with it: a branch may be for another
+    consumer. An error counts if it is there with all other values as well: turned alone, an argument may leave out
+    what another one would bring. Where they cannot be expanded together, only what arguments switch on is tried.
+    """
+
+    def key(found: Diagnostic) -> tuple[str, Path, int]:
+        return found.code, found.span.source.path, found.span.start
+
+    def new(arguments: Mapping[str, str]) -> list[Diagnostic] | None:
+        expanded = expander.expand(document, arguments).document
+        if expanded is None or expanded.source.text == robot.source.text:
+            return None if expanded is None else []
+        expanded.library = document.library
+        found = fold(settle(lint_document(expanded, dispatch), expanded, document))
+        return [each for each in found if each.severity is Severity.ERROR and key(each) not in seen]
+
+    seen = set(map(key, known))
+    most = min(_MOST_VARIANTS, _MOST_ELEMENTS // len(robot.elements))
+    values = dict(islice(_other_values(document), most))
+    together = new(values) if values else []
+    left = None if together is None else set(map(key, together))
+    for name, value in values.items():
+        if left is None and value in _OFF:
+            continue
+        if left is not None and left <= seen:
+            return
+        for each in new({name: value}) or ():
+            if left is None or key(each) in left:
+                seen.add(key(each))
+                message = f"{each.message} (with `{name}:={value}`)"
+                yield each.without_fix._replace(message=message, severity=Severity.WARNING, affects=())
+
+
+def _other_values(document: Document) -> Iterator[tuple[str, str]]:
+    """Names of arguments, each with a value that its default is not."""
+    visible = visible_definitions(document)
+    defaults: dict[str, str] = {}
+    for reading in visible.readings:
+        defaults = {**reading.arguments, **defaults}
+    conditions = " ".join(
+        element.text_of("value")
+        for reading in visible.readings
+        for element, _ in reading.elements
+        if keyword(element) in {"if", "unless"}
+    )
+    for name, given in defaults.items():
+        default = _OF_ENVIRONMENT.sub(r"\1", given)
+        if default in _TURNED and (default not in {"0", "1"} or f"arg {name})" in conditions):
+            yield name, _TURNED[default]
+        elif not default and name.endswith("prefix"):
+            yield name, _FILLED
 
 
 # Parts of URDF in macros of xacro, where no robot shows them.

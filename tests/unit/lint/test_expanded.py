@@ -168,3 +168,49 @@ def test_a_forgotten_dollar_in_an_included_file_is_one_mistake(tmp_path: Path) -
         ("XAC010", 3),
         ("URD011", 4),
     ]
+
+
+CAMERA = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:arg name="with_imu" default="false"/>
+  <xacro:arg name="prefix" default=""/>
+  <xacro:arg name="color" default="true"/>
+  <link name="$(arg prefix)body"/>
+  <xacro:if value="$(arg with_imu)">
+    <link name="imu"/>
+    <joint name="j" type="fixed"><parent link="$(arg prefix)body"/><child link="imu_link"/></joint>
+  </xacro:if>
+  <link name="lamp"/>
+  <joint name="k" type="fixed"><parent link="body"/><child link="lamp"/></joint>
+</robot>"""
+
+
+def test_an_error_of_another_argument_is_a_warning_that_names_it(tmp_path: Path, expander: Expander) -> None:
+    path = tmp_path / "r.urdf.xacro"
+    found = {d.span.text: d for d in lint(expander, path, CAMERA) if ":=" in d.message and d.code == "JNT001"}
+    assert found["imu_link"].message.endswith("(with `with_imu:=true`)")
+    assert found["body"].message.endswith("(with `prefix:=any_`)")
+    assert {(d.severity, d.affects) for d in found.values()} == {(Severity.WARNING, ())}
+    given = lint(expander, path, CAMERA, {"color": "true"})
+    assert not any(":=" in d.message for d in given)  # somebody has said which robots there are
+    whole = lint(expander, path, CAMERA, {"with_imu": "true"})
+    assert any(d.code == "JNT001" and d.severity is Severity.ERROR for d in whole)
+
+
+def test_branches_that_exclude_one_another_are_tried_one_by_one(tmp_path: Path, expander: Expander) -> None:
+    switch = '<xacro:if value="$(arg {})"><link name="{}"/></xacro:if>'
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        '<xacro:arg name="real" default="true"/><xacro:arg name="simulated" default="false"/>'
+        f'<link name="base"/>{switch.format("real", "arm")}{switch.format("simulated", "arm")}'
+        '<joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint></robot>'
+    )
+    found = [d.message for d in lint(expander, tmp_path / "r.urdf.xacro", text)]
+    assert not any(":=" in message for message in found)
+
+
+def test_variants_of_a_large_robot_are_left_out(
+    tmp_path: Path, expander: Expander, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sdfcheck.lint.expanded._MOST_ELEMENTS", 3)
+    found = lint(expander, tmp_path / "r.urdf.xacro", CAMERA)
+    assert not any(":=" in d.message for d in found)
