@@ -7,6 +7,7 @@ from sdfcheck import (
     BuiltLink,
     Consumer,
     Diagnostic,
+    Element,
     Good,
     Name,
     Reaction,
@@ -36,6 +37,7 @@ UNAWARE = (Consumer.DRAKE, Consumer.URDFDOM, Consumer.MUJOCO)
 """The consumers that do not read `<gazebo>` blocks."""
 
 
+UNNAMED = "default_physics"
 IN_LINKS = dict.fromkeys((Consumer.ISAAC, Consumer.PYBULLET), REFUSES)
 IN_MATERIALS = {
     Consumer.ISAAC: REFUSES,
@@ -74,6 +76,11 @@ class DuplicateName(Rule):
         ),
         Bad('<world name="a"/><world name="«a»"/>', scaffold='<sdf version="1.12">{}</sdf>'),
         Bad(
+            '<world name="w"><physics type="ode"/><«physics» type="bullet"/></world>',
+            scaffold='<sdf version="1.12">{}</sdf>',
+            says="there is another `physics` in world `w`, and both are called `default_physics`",
+        ),
+        Bad(
             MERGED.replace("{}", "«s»"),
             scaffold='<robot name="r">{}</robot>',
             says="there is another sensor `s` in link `a`, with which libsdformat merges this one",
@@ -95,7 +102,7 @@ class DuplicateName(Rule):
     def applies(root: Root) -> bool:
         return any(
             first.kind == later.kind and not is_free(first, later, root) for first, later in root.names.shared
-        ) or bool(merged_sensors(root))
+        ) or bool(merged_sensors(root) or unnamed_physics(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for first, later in root.names.shared:
@@ -108,6 +115,13 @@ class DuplicateName(Rule):
                 labels={first.value: "the first one"},
                 affects=_affects(later),
             )
+        for world, first_physics, physics in unnamed_physics(root):
+            yield self.diagnostic(
+                physics,
+                f"there is another `physics` in {world.title}, and both are called `{UNNAMED}`",
+                labels={first_physics: "the first one"},
+                help="keep one of them, or give each a name",
+            )
         for link, first_sensor, sensor in merged_sensors(root):
             yield self.diagnostic(
                 sensor.name_value or sensor,
@@ -116,6 +130,19 @@ class DuplicateName(Rule):
                 labels={first_sensor.name_value or first_sensor: "the first one"},
                 affects=dict.fromkeys(UNAWARE, accepts("does not read it")),
             )
+
+
+def unnamed_physics(root: Root) -> list[tuple[Element, Element, Element]]:
+    """The `physics` without a name of which a world has one already, each after the world and the first one."""
+    found: list[tuple[Element, Element, Element]] = []
+    first: dict[Element, Element] = {}
+    for physics in root.elements.get("physics", ()) if not root.is_urdf else ():
+        world, name = physics.parent, physics.attributes.get("name")
+        if world is not None and name in {None, UNNAMED}:
+            earlier = first.setdefault(world, physics)
+            if earlier is not physics and name is None:
+                found.append((world, earlier, physics))
+    return found
 
 
 def merged_sensors(root: Root) -> list[tuple[BuiltLink, Sensor, Sensor]]:

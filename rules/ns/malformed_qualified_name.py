@@ -5,7 +5,7 @@ from sdfcheck_rules.ns.soundness import is_malformed
 
 
 class MalformedQualifiedName(Rule):
-    """A name has more than one colon, or nothing before or after it.
+    """A name has more than one colon, or no name before or after it.
 
     A prefixed name is a prefix, one colon and a local part. libsdformat takes whatever
     has a colon for somebody's own; namespace-aware XML parsers refuse the file.
@@ -31,6 +31,10 @@ class MalformedQualifiedName(Rule):
         ),
         Bad('<sdf version="1.12"><world name="w" «:kind»="2d"/></sdf>', says="has nothing before its colon"),
         Bad('<sdf version="1.12"><world name="w"><«p:»/></world></sdf>', says="has nothing after its colon"),
+        Bad(
+            '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><«p:1a»/></world></sdf>',
+            says="`p:1a` has `1` after its colon, where a name cannot begin",
+        ),
     )
     good = (
         Good('<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w"><p:a.b-c/></world></sdf>'),
@@ -52,6 +56,8 @@ class MalformedQualifiedName(Rule):
         name = named.name
         if name.count(":") > 1:
             fault = f"has {name.count(':')} colons, and one is allowed"
+        elif ":" in name.strip(":"):
+            fault = f"has `{name.partition(':')[2][0]}` after its colon, where a name cannot begin"
         else:
             fault = f"has nothing {'before' if name.startswith(':') else 'after'} its colon"
         yield self.diagnostic(named, f"`{name}` {fault}")

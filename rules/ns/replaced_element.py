@@ -8,7 +8,7 @@ class ReplacedElement(Rule):
 
     Custom elements may add information, and may not replace any: a shape with
     `<p:diameter>` must have `<radius>` as well (custom-elements proposal). Consumers
-    that do not know the prefix take the default.
+    that do not know the prefix take the default. `sdf` is a prefix as all others: nobody reads `<sdf:model>`.
     """
 
     code = "NS010"
@@ -27,6 +27,11 @@ class ReplacedElement(Rule):
             '<geometry><cylinder><«p:diameter» xmlns:p="https://example.org/p">2</p:diameter>'
             "<length>1</length></cylinder></geometry>",
             says="`cylinder` has no `radius`; `p:diameter` cannot replace it",
+        ),
+        Bad(
+            '<sdf version="1.7" xmlns:sdf="http://sdformat.org"><«sdf:model» name="m"/></sdf>',
+            scaffold="",
+            says="`sdf` has no `model`; `sdf:model` cannot replace it",
         ),
         Bad(
             '<axis><«p:xyz» xmlns:p="https://example.org/p">0 1 0</p:xyz></axis>',
@@ -61,5 +66,5 @@ class ReplacedElement(Rule):
             yield self.diagnostic(
                 custom,
                 f"{element.title} has no `{name}`; `{custom.tag}` cannot replace it",
-                labels={element: f"`{name}` is required here"},
+                labels={element: f"`{name}` is missing here"},
             )

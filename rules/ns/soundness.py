@@ -16,7 +16,7 @@ def is_reserved(declaration: PrefixDeclaration) -> bool:
 def is_malformed(name: str) -> bool:
     """Is a name something else than a prefix, one colon and a local part?"""
     prefix, _, local = name.partition(":")
-    return not prefix or not local or ":" in local
+    return not prefix or not local or ":" in local or not (local[0].isalpha() or local[0] == "_")
 
 
 def is_sound(declaration: PrefixDeclaration) -> bool:

@@ -10,12 +10,14 @@ class UnusedMacroParameter(Rule):
     Callers give it a value to no effect; often the body has a literal where the
     parameter was meant, or an ``insert_block`` without its prefix. A macro that is
     called in the body may read the parameter too: xacro looks names up in the caller.
-    Where an element in the body has the parameter's name and a fixed text, it is a warning at that text.
+    Where an element in the body has the parameter's name and a fixed text, the finding is at that text. It is for
+    information where no call in the project gives the parameter, or several files define the macro, of which one is
+    chosen.
     """
 
     code = "XAC009"
     name = "unused-macro-parameter"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     remedy = """Use the parameter in the body, as `${name}`, or remove it from the macro and its calls.
 
     Look for a literal in the body that should vary. A block is inserted by
@@ -58,8 +60,8 @@ class UnusedMacroParameter(Rule):
             problem.literal,
         )
         if fixed is None:
-            yield self.diagnostic(problem.span, message)
+            yield self.diagnostic(problem.span, message, severity=Severity.INFO if problem.is_free else None)
             return
         message = f"`{fixed.element.name}` is always {fixed.text.strip()}: {message}"
         labels = {problem.span: "the parameter"}
-        yield self.diagnostic(fixed, message, labels=labels, severity=Severity.WARNING)
+        yield self.diagnostic(fixed, message, labels=labels)

@@ -266,7 +266,7 @@ def prefixes(document: Document) -> list[Prefix]:
 def _is_qualified(name: str) -> bool:
     """Is a name a prefix, one colon and a local part?"""
     prefix, _, local = name.partition(":")
-    return bool(prefix and local) and ":" not in local
+    return bool(prefix and local) and ":" not in local and (local[0].isalpha() or local[0] == "_")
 
 
 def _is_plain(document: Document) -> bool:

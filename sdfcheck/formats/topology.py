@@ -38,13 +38,24 @@ def standard_inside(custom: Element, parent: Element, place: Definition) -> Iter
         if ":" in name:
             yield from standard_inside(child, parent, place)
         elif (definition := place.children.get(name)) is None:
-            continue
+            definition = _of_link(place, name)
+            if definition is not None and _is_bare(custom) and _is_sound(child, definition):
+                yield Displaced(child, False)
         elif name in _PARTS:
             if _is_part(child, definition) and not _refers(child, parent):
                 yield Displaced(child, True)
         elif is_wrapper and not _is_given(name, parent, place) and _is_setting(child, definition):
             needed = place.name == "geometry" or name in place.required_children
             yield Displaced(child, needed)
+
+
+def _of_link(place: Definition, name: str) -> Definition | None:
+    """The definition of a collision, visual or geometry, which belongs into a link of a world, model or robot."""
+    model = place.children["model"] if place.name == "world" else place
+    link = model.children.get("link")
+    if link is None or name not in {"collision", "geometry", "visual"}:
+        return None
+    return link.children[name] if name != "geometry" else link.children["collision"].children[name]
 
 
 def _is_part(element: Element, definition: Definition) -> bool:
@@ -72,9 +83,14 @@ def _refers(element: Element, parent: Element) -> bool:
 
 def _is_wrapper(custom: Element, place: Definition) -> bool:
     """Does it hold nothing but what belongs into ``place``?"""
-    if any(not name.startswith("xmlns:") for name in custom.attributes) or custom.content:
-        return False
-    return all(":" in child.name or child.name in place.children for child in custom.children())
+    return _is_bare(custom) and all(
+        ":" in child.name or child.name in place.children for child in custom.children()
+    )
+
+
+def _is_bare(custom: Element) -> bool:
+    """Has it neither attributes nor text?"""
+    return not custom.content and all(name.startswith("xmlns:") for name in custom.attributes)
 
 
 def _is_given(name: str, parent: Element, place: Definition) -> bool:

@@ -150,7 +150,7 @@ def _other_values(document: Document) -> Iterator[tuple[str, str]]:
     for reading in visible.readings:
         defaults = {**reading.arguments, **defaults}
     conditions = " ".join(
-        element.text_of("value")
+        element.text_of("value") or ""
         for reading in visible.readings
         for element, _ in reading.elements
         if keyword(element) in {"if", "unless"}

@@ -981,9 +981,11 @@ class Namespace(Node):
 
     def may_hold(self, reference: str) -> bool:
         """Might it name something in a file that could not be read?"""
+        head, delimiter, rest = reference.partition("::")
+        if delimiter and head == self.name and rest in self.nodes:
+            return False  # its own name, which is not known in it
         if not self.is_complete:
             return True
-        head, delimiter, rest = reference.partition("::")
         model = self.nodes.get(head) if delimiter else None
         return isinstance(model, Namespace) and model.may_hold(rest)
 

@@ -273,7 +273,8 @@ def suggested_root(name: str) -> str | None:
     """The root element whose name is a misspelling away from this one."""
     from sdfcheck.source.scanner.pairing import alike
 
-    return next((root for root in ROOTS if alike(name, root)), None)
+    local = name.rpartition(":")[2]
+    return next((root for root in ROOTS if local == root or alike(name, root)), None)
 
 
 def _holds(text: str, words: tuple[str, ...]) -> bool:
@@ -311,7 +312,10 @@ def _is_template(text: str, path: Path) -> bool:
     """Whether template code is left; most of its marks count only if the file's name says template."""
     if path.suffix.lower() in TEMPLATE_SUFFIXES:
         return _holds(text, _TEMPLATE_MARKS)
-    return "%" in text and _holds(text, _TEMPLATE_TAGS)
+    if "%" not in text or not _holds(text, _TEMPLATE_TAGS):
+        return False
+    is_one_value = "<%=" in text and sum(map(text.count, _TEMPLATE_TAGS)) == 1
+    return not (is_one_value and path.suffix.lower() in _SUFFIXES)
 
 
 def _is_chemistry(text: str) -> bool:

@@ -278,12 +278,16 @@ class UnusedProperty(Record):
 
 
 class UnusedMacroParameter(Record):
-    """A parameter that its macro's body does not read; ``literal`` is the text of an element there of that name."""
+    """A parameter that its macro's body does not read; ``literal`` is the text of an element there of that name.
+
+    ``is_free``: no call in the project gives it a value, or several files define the macro, for callers to choose one.
+    """
 
     span: Span
     name: str
     macro: str
     literal: Value | None = None
+    is_free: bool = False
 
 
 class XacroIncludeCycle(Record):

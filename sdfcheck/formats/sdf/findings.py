@@ -106,7 +106,7 @@ _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/ge
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
 # The table allows one, and the consumers take all.
-REPEATABLE = frozenset(("geometry/polyline", "contact/collision", "multicamera/camera"))
+REPEATABLE = frozenset(("geometry/polyline", "contact/collision", "multicamera/camera", "world/physics"))
 
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
@@ -168,6 +168,9 @@ class SdfFindings(Findings):
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)
+        prefix, _, local = child.name.partition(":")
+        if prefix == "sdf" and local in place.children and not parent.has(local):
+            self.replaced.setdefault(child, []).append(local)
         name = child.attributes.get("name")
         if name is not None:
             self.named.setdefault(parent, []).append((child.name, name, child))

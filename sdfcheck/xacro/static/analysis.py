@@ -60,7 +60,7 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.likely_mistakes import missing_prefixes, oversights, parameter_place
-from sdfcheck.xacro.static.project import includers, is_included, is_whole, project_names
+from sdfcheck.xacro.static.project import definer, includers, is_included, is_whole, passed, project_names
 
 # Expressions that are wrong whatever the values: recognized by the text alone.
 
@@ -404,7 +404,9 @@ def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Pro
         literals = _literals_in(macro) if unread else {}
         for parameter in unread:
             span, literal = parameter_place(macro, parameter), literals.get(_plain(parameter.name))
-            yield UnusedMacroParameter(span, parameter.name, macro.name, literal)
+            is_free = definer(document, "macro", macro.name) is None
+            is_free |= not any(passed(document, macro.name, parameter.name.lstrip("*")))
+            yield UnusedMacroParameter(span, parameter.name, macro.name, literal, is_free)
 
 
 def _literals_in(macro: Macro) -> dict[str, Value]:

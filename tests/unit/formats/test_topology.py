@@ -106,6 +106,13 @@ def test_custom_elements_in_custom_elements_are_looked_into() -> None:
     assert displaced(text) == [("p:g", ["link `a`"])]
 
 
+def test_shapes_that_no_link_has_are_displaced() -> None:
+    shapes = f'<collision name="c">{BOX}</collision><visual name="v">{BOX}</visual>{BOX}'
+    for scaffold in (IN_MODEL, IN_WORLD):
+        found = displaced(scaffold.replace("{}", f"<p:g>{shapes}</p:g>"))
+        assert found == [("p:g", ["collision `c`", "visual `v`", "`geometry`"])]
+
+
 @pytest.mark.parametrize(
     ("scaffold", "custom"),
     [
@@ -123,7 +130,8 @@ def test_custom_elements_in_custom_elements_are_looked_into() -> None:
         (IN_MODEL, "<p:g><static>perhaps</static></p:g>"),
         (IN_LINK, "<inertial><p:g><mass unit='g'>2</mass></p:g></inertial>"),
         (IN_LINK, f'<visual name="v">{BOX}<p:g>{BOX}</p:g></visual>'),
-        (IN_MODEL, f'<p:g><visual name="v">{BOX}</visual></p:g>'),
+        (IN_MODEL, f'<p:g mode="2d"><visual name="v">{BOX}</visual></p:g>'),
+        (IN_MODEL, '<p:g><visual name="v"><color>red</color></visual></p:g>'),
         (IN_WORLD, '<p:g><link name="a"/></p:g>'),
         (IN_WORLD, '<plugin name="g" filename="g"><model name="a"/></plugin>'),
         (IN_LINK, "<p:inertial><mass>1</mass></p:inertial>"),
