@@ -61,9 +61,9 @@ def lint_source(
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
     if document.kind is Kind.URDF and library is not None:
-        from sdfcheck.xacro.prepare import is_fragment
+        from sdfcheck.xacro.prepare import is_fragment, is_launched_source
 
-        if is_fragment(document):
+        if is_fragment(document) or is_launched_source(document):
             document, is_own = read(data, path, Kind.XACRO), True
             document.library = library
     if library is not None and is_own:
