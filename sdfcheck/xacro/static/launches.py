@@ -267,13 +267,16 @@ _WRAPPERS = frozenset(
 class _Python:
     """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    __slots__ = ("_around", "_calls", "_defaults", "_given", "_is_text", "_values")
+    __slots__ = ("_around", "_calls", "_defaults", "_given", "_is_expander", "_is_text", "_values")
 
     def __init__(self, tree: ast.AST, around: _Surroundings) -> None:
         self._around = around
         self._given: Mapping[str, str] = {}
         self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
-        self._is_text = any(_called(call) == "ParameterValue" for call in self._calls)
+        called = set(map(_called, self._calls))
+        self._is_text = "ParameterValue" in called
+        self._is_expander = "process_doc" in called
+        """Does it expand what it opens (``xacro.process_doc(xacro.parse(open(FILE)))``)?"""
         self._values: dict[str, ast.expr] = {}
         for node in ast.walk(tree):
             if (
@@ -310,8 +313,8 @@ class _Python:
                 yield from self._of_pairs(call.args[0], mappings or ast.Dict([], []), {})
             elif name == "open" and call.args:
                 file = self._text(call.args[0]).rpartition("/")[2]
-                if file.endswith(".urdf") and _UNKNOWN not in file:
-                    yield _Use(file, {}, is_expanded=False)
+                if file.endswith((".urdf", ".xacro")) and _UNKNOWN not in file:
+                    yield _Use(file, {}, is_expanded=self._is_expander)
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         self._given = given

@@ -291,14 +291,29 @@ def test_colons_break_what_is_read_as_yaml(
     assert ("URD015" in codes(package)) is is_found
 
 
-@pytest.mark.parametrize("is_launched", [False, True])
+OPENED = """
+import os, xacro
+path = os.path.join(get_package_share_directory("bot"), "urdf", "bot.urdf")
+robot = xacro.parse(open(path))
+xacro.process_doc(robot)
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "is_launched"),
+    [
+        ("", False),
+        (AS_YAML.replace(".xacro", ""), True),
+        (OPENED, True),
+        (OPENED.replace("process_", ""), False),
+    ],
+)
 def test_a_source_may_be_called_urdf(
-    package: Path, capsys: pytest.CaptureFixture[str], *, is_launched: bool
+    package: Path, capsys: pytest.CaptureFixture[str], launch: str, *, is_launched: bool
 ) -> None:
     (package / "urdf" / "bot.urdf.xacro").unlink()
     (package / "urdf" / "bot.urdf").write_text('<robot name="r"><link name="${1 + 1}_a"/></robot>')
-    if is_launched:
-        (package / "launch" / "bot.launch.py").write_text(AS_YAML.replace("bot.urdf.xacro", "bot.urdf"))
+    (package / "launch" / "bot.launch.py").write_text(launch)
     assert bool(found(capsys)) is not is_launched
 
 
