@@ -308,13 +308,13 @@ xacro.process_doc(robot)
         (OPENED.replace("process_", ""), False),
     ],
 )
-def test_a_source_may_be_called_urdf(
-    package: Path, capsys: pytest.CaptureFixture[str], launch: str, *, is_launched: bool
-) -> None:
+def test_a_source_may_be_called_urdf(package: Path, launch: str, *, is_launched: bool) -> None:
     (package / "urdf" / "bot.urdf.xacro").unlink()
-    (package / "urdf" / "bot.urdf").write_text('<robot name="r"><link name="${1 + 1}_a"/></robot>')
+    (package / "urdf" / "bot.urdf").write_text(
+        '<robot name="r"><link name="${1 + 1}"/><link name="2"/></robot>'
+    )
     (package / "launch" / "bot.launch.py").write_text(launch)
-    assert bool(found(capsys)) is not is_launched
+    assert codes(package)[0] == ("NAM001" if is_launched else "URD009")
 
 
 def test_launched_arguments_count_without_a_package(package: Path) -> None:
