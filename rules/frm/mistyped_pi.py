@@ -3,6 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import (
     IN_LINK,
     IN_URDF_JOINT,
+    IN_WORLD,
     Bad,
     Diagnostic,
     Element,
@@ -68,11 +69,18 @@ class MistypedPi(Rule):
     good = (
         Good("<pose>3.1459 0 1 0 0 3.1416</pose>", why="the first three are meters"),
         Good("<pose>0 0 1 0 0 1.5</pose>"),
+        Good(
+            '<state world_name="w"><model name="m"><pose>0 0 1 0 0 1.5780</pose></model></state>',
+            scaffold=IN_WORLD,
+            why="a simulator wrote the state",
+        ),
     )
 
     @staticmethod
     def applies(element: Element) -> bool:
-        return any(word.lstrip("+-") in RIGHT for _, _, word in angles(element))
+        if not any(word.lstrip("+-") in RIGHT for _, _, word in angles(element)):
+            return False
+        return all(each.name != "state" for each in element.around)
 
     def check(self, element: Element) -> Iterator[Diagnostic]:
         for value, number, word in angles(element):

@@ -23,7 +23,7 @@ class DetachedLink(Rule):
 
     Parts of a machine hang together. Where one floats, the origin of its joint, or that of its shapes, is not
     where it belongs, or is in another unit. Robots are looked at where the size of every shape is known; all joints are
-    at zero. Without meshes, only what is very far away counts.
+    at zero. Without meshes, only what is very far away counts. On a floating joint a link is a thing of its own.
     """
 
     code = "GEO015"
@@ -62,6 +62,18 @@ class DetachedLink(Rule):
             scaffold='<robot name="r">{}</robot>',
             why="nothing is there that could be far away",
         ),
+        Good(
+            mesh("visual", "arm.obj"),
+            scaffold=ARM.replace("0 0 0.3", "0 0 0.6").replace("revolute", "floating"),
+            files={"arm.obj": wedge(0.3)},
+            why="a thing of its own",
+        ),
+        Good(
+            mesh("visual", "missing.obj") + mesh("collision", "arm.obj"),
+            scaffold=ARM.replace("0 0 0.3", "0 0 0.6"),
+            files={"arm.obj": wedge(0.3)},
+            why="the visual may reach farther",
+        ),
     )
 
     @staticmethod
@@ -84,13 +96,13 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
     if not model.joints or not (model.has_mesh or is_spread(model)):
         return []
     drawn = [link for link in model.links if link.shapes]
-    if len(drawn) < 2 or any(link.extent is None for link in drawn):
+    if len(drawn) < 2 or not all(map(is_measured, drawn)):
         return []
     least = LEAST if model.has_mesh else SCHEMATIC * max(map(length, drawn))
     found = []
     for joint in model.joints:
         link = joint.child_link
-        if link is None or not joint.moves or not link.shapes or link.parent_joints[:1] != (joint,):
+        if link is None or not holds(joint) or not link.shapes or link.parent_joints[:1] != (joint,):
             continue
         if not length(link) < LARGEST or (model.has_mesh and link.size_to_reach < SMALLEST) or gap(link):
             continue
@@ -102,9 +114,20 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
     return found
 
 
+def is_measured(link: Link) -> bool:
+    """Is the size of each of its shapes known?"""
+    visual, collision = link.visual_box, link.collision_box
+    return (visual is not None or not link.visuals) and (collision is not None or not link.collisions)
+
+
+def holds(joint: Joint) -> bool:
+    """Does a joint move, and keep its child at its parent?"""
+    return joint.moves and joint.type != "floating"
+
+
 def is_spread(model: Model) -> bool:
     """Is a joint so far from its parent that it is worth looking at a robot without meshes?"""
-    origins = (joint.find("origin") for joint in model.joints if joint.moves)
+    origins = (joint.find("origin") for joint in model.joints if holds(joint))
     texts = ("" if origin is None else origin.text_of("xyz", "") for origin in origins)
     longest = 0.0
     for text in texts:

@@ -52,6 +52,12 @@ class CenterAtOrigin(Rule):
             "</collision>",
             why="near the middle",
         ),
+        Good(
+            f"<inertial>{MASS}</inertial>"
+            '<collision name="c"><pose>0.02 0 0 0 0 0</pose><geometry><box><size>0.02 0.3 0.3</size></box></geometry>'
+            "</collision>",
+            why="at the hub of a flat part",
+        ),
     )
 
     @staticmethod

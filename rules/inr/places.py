@@ -11,6 +11,8 @@ _MARK = 0.015
 """m: smaller shapes are marks."""
 _APART, _AT_END = 0.4, 0.49
 """Of the length of the shapes: so far from the middle of them is near their end."""
+_ASIDE = 0.1
+"""Of the greatest length: what is nearer, as the hub of a propeller, is beside the middle of a flat part."""
 
 
 def is_compared(inertial: Inertial) -> bool:
@@ -36,7 +38,11 @@ def is_off_origin(inertial: Inertial) -> bool:
         box = getattr(inertial.link, name)
         if box is None or not max(box.size) > _MARK:
             return False
-        if not any(abs(at) > apart * size > 0 for at, size in zip(box.center, box.size, strict=True)):
+        aside = _ASIDE * max(box.size)
+        if not any(
+            abs(at) > max(apart * size, aside) and size > 0
+            for at, size in zip(box.center, box.size, strict=True)
+        ):
             return False
     return not is_out_of_scale(inertial)
 

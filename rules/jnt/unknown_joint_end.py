@@ -98,11 +98,20 @@ class UnknownJointEnd(Rule):
             '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
             scaffold=IN_ROBOT,
         ),
+        Good(
+            '<robot name="r"><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>',
+            scaffold="{}",
+            file="arm.urdf",
+            why="missing-element reports a robot without links",
+        ),
     )
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return bool(_unknown_ends(joint))
+        # A robot without links is an error of its own.
+        return bool(_unknown_ends(joint)) and not (
+            joint.is_urdf and joint.model is not None and not joint.model.links
+        )
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         for value, others in _unknown_ends(joint):

@@ -76,8 +76,9 @@ class InvalidModelConfig(Rule):
     version from the future, fails the including document (libsdformat 12 only warns of
     versions). It crashes at a version that is not a number, and where it has something to
     say of a model without a name; a missing name alone is a warning. So is a version that
-    is not that of the file: by it a consumer may take a file that is too new for it. A
-    file that a build is to make from a template beside it is only pointed out.
+    is not that of the file: by it a consumer may take a file that is too new for it, and a
+    missing file for an old version beside a newer one. A file that a build is to make from a
+    template beside it is only pointed out.
     """
 
     code = "RES007"
@@ -126,6 +127,12 @@ class InvalidModelConfig(Rule):
         ),
         Bad("<«sdf»>arm.sdf</sdf>", file=CONFIG, files={"arm.sdf": ARM}, says="no `version`"),
         Bad('<sdf version="«1.99»">arm.sdf</sdf>', file=CONFIG, files={"arm.sdf": ARM}, says="newer"),
+        Bad(
+            '<sdf version="1.5">«old.sdf»</sdf><sdf version="1.12">arm.sdf</sdf>',
+            file=CONFIG,
+            files={"arm.sdf": ARM, "hand.sdf": ARM},
+            says="no file `old.sdf`",
+        ),
         Bad(
             '<sdf version="«new»">arm.sdf</sdf>',
             file=CONFIG,
@@ -182,6 +189,11 @@ class InvalidModelConfig(Rule):
             if near is not None and fault not in (ConfigFault.UNMADE_FILE, ConfigFault.OTHER_VERSION):
                 message += f", did you mean `{near}`?"
             is_fatal = fault is ConfigFault.NO_NAME and crashes
+            is_for_others = (
+                fault is ConfigFault.MISSING_FILE and getattr(place, "element", None) is not config.chosen
+            )
+            severity = Severity.WARNING if is_for_others else SEVERITIES.get(fault, Severity.ERROR)
+            affects = READ if is_for_others else REACTIONS.get(fault, {})
             is_replaced = fault in (ConfigFault.MISSING_FILE, ConfigFault.OTHER_VERSION)
             fix = write_instead(near, place) if is_replaced else None
             yield self.diagnostic(
@@ -189,6 +201,6 @@ class InvalidModelConfig(Rule):
                 message,
                 fix=fix,
                 help=ADVICE.get(fault) if fix is None else None,
-                severity=Severity.ERROR if is_fatal else SEVERITIES.get(fault, Severity.ERROR),
-                affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else REACTIONS.get(fault, {}),
+                severity=Severity.ERROR if is_fatal else severity,
+                affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else affects,
             )

@@ -73,6 +73,11 @@ class UnresolvedInclude(Rule):
             files={"arm/model.sdf": ARM},
             says="a folder without `model.config`",
         ),
+        Bad(
+            "<include><uri>«model://arm»</uri></include>",
+            files={"arm/src/arm.cc": ""},
+            says="model `arm` is not on the search path",
+        ),
     )
     good = (
         Good("<include><uri>arm.sdf</uri></include>", files={"arm.sdf": ARM}),
@@ -127,7 +132,7 @@ class UnresolvedInclude(Rule):
         elif not location.is_local:
             advice = "write `model://`, `package://`, `file://` or a path"
             message = f"no consumer knows the scheme `{location.scheme}`"
-        elif location.owner is not None:
+        elif location.owner is not None and not include.is_searched_for:
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
         elif include.is_searched_for:

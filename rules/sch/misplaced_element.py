@@ -75,6 +75,7 @@ class MisplacedElement(Rule):
             '<sensor name="s" type="custom"><plugin filename="p" name="p"><mass>2</mass></plugin></sensor>',
             why="the content of a plugin is the plugin's",
         ),
+        Good("<contact><lateral_friction>1</lateral_friction></contact>", why="PyBullet reads it"),
     )
 
     def check(self, problem: problems.MisplacedElement) -> Iterator[Diagnostic]:

@@ -10,7 +10,7 @@ IMAGE = (
     "<camera>{}</camera></sensor></link></model></sdf>"
 )
 # After a number, these do not change what it was meant to be.
-TRAILERS = ",;\"'"
+TRAILERS = ".,;:\"'`+-)]"
 
 
 class MisreadValue(Rule):
@@ -18,8 +18,8 @@ class MisreadValue(Rule):
 
     libsdformat takes the longest number from the front of a text and forgets the rest: a
     decimal comma cuts the fraction off, a unit is not looked at, and of two numbers one counts.
-    A value also ends at a comment. Values that are read as intended anyway (a comma or quote
-    after a number, a hexadecimal number) get a warning, and so does the fraction of a whole number.
+    A value also ends at a comment. Values that are read as intended anyway (a comma or other
+    sign after a number, a hexadecimal number) get a warning, and so does the fraction of a whole number.
     """
 
     code = "SCH012"
@@ -46,6 +46,7 @@ class MisreadValue(Rule):
             scaffold=IMAGE,
             says="`7.5` is read as 7: `visibility_mask` is a whole number",
         ),
+        Bad("<mass>«1.5.»</mass>", says="`1.5.` is read as 1.5"),
     )
     good = (
         Good("<mass>1.5 <!-- kg --></mass>", why="nothing is after the comment"),

@@ -35,6 +35,6 @@ class StrayText(Rule):
     )
 
     def check(self, problem: problems.StrayText) -> Iterator[Diagnostic]:
-        text = problem.span.text
+        text = problem.text
         shown = text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
         yield self.diagnostic(problem.span, f"text `{shown}` in {problem.element.title} is not read")

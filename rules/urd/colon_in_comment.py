@@ -24,7 +24,8 @@ class ColonInComment(Rule):
     A ROS 2 launch file that passes the description on as a parameter, and does not say that
     it is text, has it read as YAML. There such a colon begins a mapping: the launch fails
     with `mapping values are not allowed here`, and nothing points to the comment. In a file
-    that describes no robot of its own, and in one that shows nothing of ROS, this is a hint.
+    that describes no robot of its own, in one that shows nothing of ROS, in a package of ROS 1, and where the launch
+    files of the project say that it is text, this is a hint.
     """
 
     code = "URD015"
@@ -61,7 +62,8 @@ class ColonInComment(Rule):
         found = colons(root)
         prose = [colon for colon in found if not is_directive(colon)]
         silencing = [colon for colon in found if is_directive(colon)]
-        severity = None if is_description(root) else Severity.INFO
+        is_harmless = not is_description(root) or root.is_launched_as_text
+        severity = Severity.INFO if is_harmless else None
         if prose:
             fix = make_fix("write a dash", tuple(TextEdit(colon, " -") for colon in prose))
             yield self.diagnostic(prose[0], _message(prose, ""), fix=fix, severity=severity)

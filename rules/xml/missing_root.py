@@ -11,7 +11,8 @@ class MissingRoot(Rule):
     """The root element `sdf` is missing, or has the name that it had before SDFormat 1.3.
 
     libsdformat looks for `sdf` at the top of the file and refuses anything else, and so do Gazebo
-    and Drake. The file begins with what belongs into it.
+    and Drake. The file begins with what belongs into it. Where the `model.config` beside it names another file for
+    newer versions, this is a hint.
     """
 
     code = "XML011"
@@ -30,6 +31,15 @@ class MissingRoot(Rule):
             file="example.sdf",
             says="the root is called `sdf`, no longer `gazebo`",
         ),
+        Bad(
+            '<«gazebo» version="1.2"><model name="m"><link name="base"/></model></gazebo>',
+            file="old.sdf",
+            files={
+                "model.config": '<model><name>m</name><sdf version="1.2">old.sdf</sdf>'
+                '<sdf version="1.12">m.sdf</sdf></model>',
+                "m.sdf": '<sdf version="1.12"><model name="m"><link name="base"/></model></sdf>',
+            },
+        ),
     )
     good = (Good('<sdf version="1.12"><model name="m"><link name="base"/></model></sdf>'),)
 
@@ -44,4 +54,5 @@ class MissingRoot(Rule):
         else:
             message = f"`{name}` is not inside `sdf`: simulators refuse the file"
         advice = "rename it to `sdf`" if name == OLD else "put `<sdf version=…>` around it"
-        yield self.diagnostic(root.element, message, help=advice)
+        severity = Severity.INFO if root.is_superseded else None
+        yield self.diagnostic(root.element, message, help=advice, severity=severity)

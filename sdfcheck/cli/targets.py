@@ -158,7 +158,7 @@ def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float
     readers = [row.consumer for row in rows if row.verdict is not Verdict.UNREAD]
     with Stage() as stage:
         try:
-            document = load(file, around, check=False)
+            document = load(file, around, check=False, as_launched=True)
         except WrongUsage as error:
             written = load_unexpanded(file, around)
             if written is None:

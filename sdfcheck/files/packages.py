@@ -181,8 +181,8 @@ class Packages:
         """The file that a path into a package leads to, which may hold only once the package is installed.
 
         ``<package>/urdf/arm.xacro`` is ``<package>/description/urdf/arm.xacro`` if
-        CMakeLists.txt installs it so, and ``arm.xacro.in`` if a build makes it of that. A path
-        that leads nowhere is returned as it is.
+        CMakeLists.txt installs it so, and ``arm.xacro.in`` if a build makes it of that, or ``arm.urdf.xacro``
+        where CMakeLists.txt has it expanded. A path that leads nowhere is returned as it is.
         """
         if os.path.exists(path):
             return path
@@ -196,6 +196,13 @@ class Packages:
                     found = folder / source / rest[len(installed) :].lstrip("/")
                     if os.path.exists(found):
                         return found
+            expanded = path.with_name(f"{path.name}.xacro")
+            if (
+                path.suffix == ".urdf"
+                and os.path.isfile(expanded)
+                and "xacro_add_" in _REMARK.sub("", _read(lists))
+            ):
+                return expanded
             break
         template = path.with_name(path.name + TEMPLATE)
         return template if os.path.isfile(template) else path
@@ -329,6 +336,13 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
         if name := _package_name(os.path.join(folder, "package.xml")):
             return folder, name
     return None
+
+
+def is_of_ros_1(path: str | os.PathLike[str]) -> bool:
+    """Is the package that a file is in built by catkin alone?"""
+    around = package_around(path)
+    manifest = "" if around is None else _COMMENT.sub("", _read(Path(around[0], "package.xml")))
+    return "<buildtool_depend>catkin<" in manifest and "ament_" not in manifest
 
 
 def _package_name(path: str) -> str:

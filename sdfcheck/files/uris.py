@@ -93,6 +93,9 @@ def empty_folder(document: Document, path: str | os.PathLike[str]) -> str:
     return "" if names_in(folder) or is_below(own, (folder,)) else folder
 
 
+_MEDIA = ("media", "Media")
+
+
 class _Owners(NamedTuple):
     """Where the folder of a model or package was looked for, where it is, and where it is but for case."""
 
@@ -146,9 +149,10 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
     beside = os.path.join(around.folder, path)
     if os.path.isabs(path) or disk.has(beside):
         return _first(disk, scheme, (beside,))
-    # Else it is looked for among the models, as Gazebo does for any scheme.
-    models = _owners(document, "model", name, around).tried
-    return _first(disk, scheme, (beside, *(os.path.join(model, inside) for model in models)))
+    # Else it is looked for among the models, as Gazebo does for any scheme, and Gazebo Classic in the folders of media.
+    models = (os.path.join(model, inside) for model in _owners(document, "model", name, around).tried)
+    media = (os.path.join(above, media, "models", path) for above in around.above for media in _MEDIA)
+    return _first(disk, scheme, (beside, *models, *media))
 
 
 def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -> _Owners:

@@ -28,7 +28,7 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition, RowInVersio
 from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.version import NEWEST, Version
-from sdfcheck.source.document import Aside, Document, Element, Value
+from sdfcheck.source.document import Aside, Document, Element, Spans, Value
 from sdfcheck.source.text import Span
 
 MOST = 10
@@ -137,8 +137,8 @@ class Findings(ABC):
         if element in self.stray:
             return
         self.stray.add(element)
-        if (span := stray_line(element)) is not None:
-            self.found.append(StrayText(span, element))
+        if (found := stray_text(element)) is not None:
+            self.found.append(StrayText(*found, element))
 
     def is_one_too_many(self, element: Element) -> bool:
         """Counts an unknown attribute; of very many in one element only the first are reported."""
@@ -373,15 +373,14 @@ def cut_text(element: Element) -> Span | None:
     return None
 
 
-def stray_line(element: Element) -> Span | None:
-    """The first line of the text between an element's children; None if it is in CDATA sections only.
+def stray_text(element: Element) -> tuple[Span, str] | None:
+    """The first line of the text between an element's children, and its place; None if it is in CDATA sections only.
 
     A CDATA section beside elements is a way to write notes, never a value.
     """
-    spans = element.document.spans
-    if element.document.is_expanded:
-        return spans.text(element)  # the children may have been written elsewhere
-    source = element.document.source
+    document = element.document
+    source = document.source
+    spans = Spans(source, document.scan) if document.is_expanded else document.spans
     place = spans.place(element)
     edges = [place.end]
     for child in element.children():
@@ -391,7 +390,7 @@ def stray_line(element: Element) -> Span | None:
         for piece in _PIECE.finditer(source.text, start, end):
             if (found := _filled(piece)) is not None:
                 line = source.text[slice(*found)].splitlines()[0].rstrip()
-                return source.span(found[0], found[0] + len(line))
+                return document.written(source.span(found[0], found[0] + len(line))), line
     return None
 
 

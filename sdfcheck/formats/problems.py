@@ -163,9 +163,10 @@ class RepeatedElement(Record):
 
 
 class StrayText(Record):
-    """Text in an element that holds only elements; ``span`` is its first line."""
+    """Text in an element that holds only elements; ``text`` is its first line."""
 
     span: Span
+    text: str
     element: Element
 
 

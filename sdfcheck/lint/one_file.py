@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -61,11 +62,12 @@ def lint_source(
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
     if document.kind is Kind.URDF and library is not None:
-        from sdfcheck.xacro.prepare import is_fragment
+        from sdfcheck.xacro.prepare import is_fragment, is_launched_source
 
-        if is_fragment(document):
+        is_part = is_fragment(document)
+        if is_part or is_launched_source(document):
             document, is_own = read(data, path, Kind.XACRO), True
-            document.library = library
+            document.library, xacro = library, None if is_part else xacro
     if library is not None and is_own:
         library.turn_to(document)
     if document.kind is Kind.SRDF:
@@ -188,6 +190,9 @@ class Caches:
                     yield document
 
 
+_EXPRESSION = re.compile(rb"\$[({]")
+
+
 def lint_file(
     file: Selected, book: RuleBook, settings: Settings, caches: Caches
 ) -> tuple[Sequence[Diagnostic], int]:
@@ -195,7 +200,8 @@ def lint_file(
     # The parser knows what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
     # The process of the expansion gets ready while the rest is loaded here.
-    xacro = caches.xacro(settings, file.path) if kind in {Kind.XACRO, Kind.SRDF} else None
+    is_expanded = kind in {Kind.XACRO, Kind.SRDF} or (kind is Kind.URDF and _EXPRESSION.search(file.data))
+    xacro = caches.xacro(settings, file.path) if is_expanded else None
     dispatch, library = book.dispatch(settings, file.path), caches.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)

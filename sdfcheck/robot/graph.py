@@ -3309,7 +3309,10 @@ class Include(FileUse):
         if self.location is None:
             return False
         is_word = not self.location.scheme and not {*self.uri} & {"/", "\\", "."}
-        return is_word or (self.location.is_searched_for and self.location.owner is None)
+        # The owner may be a folder that only has the name of the model.
+        return is_word or (
+            self.location.is_searched_for and self.location.owner in {None, self.location.path}
+        )
 
     @property
     def is_misconfigured(self) -> bool:

@@ -258,6 +258,20 @@ class Root(Whole):
         return tuple(self._parts("actor"))
 
     @property
+    def is_launched_as_text(self) -> bool:
+        """Do the launch files of the project take what it expands to for text, not for YAML?"""
+        from sdfcheck.xacro.static.launches import is_launched_as_text
+
+        return is_launched_as_text(self.document)
+
+    @property
+    def is_superseded(self) -> bool:
+        """Does the `model.config` of its folder name it, and another file for those who know a newer version?"""
+        from sdfcheck.robot.includes.model_config import is_superseded
+
+        return is_superseded(self.document)
+
+    @property
     def read_as(self) -> Version:
         """The version of the format as which it is read: the newest where none or an unknown one is declared."""
         return self._survey.version

@@ -716,6 +716,10 @@ class Document:
             self._scan = quick_scan(self.source)
         return self._scan
 
+    def written(self, span: Span) -> Span:
+        """The place that one in the text comes from: itself, but for texts that are made of others."""
+        return span
+
     @property
     def spans(self) -> Spans:
         if self._spans is None:

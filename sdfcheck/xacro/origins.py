@@ -362,10 +362,11 @@ class ExpandedDocument(Document):
             return span
         number = max(bisect_right(self.scan.starts, span.start) - 1, 0)
         element = self.elements[number]
-        comment = next((place for place in self.scan.comments if place[0] <= span.start < place[1]), None)
-        if comment is not None and (found := self._in_comment(span, comment, number)) is not None:
-            return found
         tag = parse_start_tag(self.source, self.scan.starts[number])[0]
+        around = (place for place in self.scan.comments if place[0] <= span.start < place[1])
+        between = next(around, (span.start, span.end) if span.start >= tag.end else None)
+        if between is not None and (found := self._between_tags(span, between, number)) is not None:
+            return found
         for attribute in tag.attributes:
             if attribute.value_start <= span.start and span.end <= attribute.value_end:
                 return self.spans.attribute_value(element, attribute.name)
@@ -373,16 +374,16 @@ class ExpandedDocument(Document):
                 return self.spans.attribute_name(element, attribute.name)
         return self.spans.name(element)
 
-    def _in_comment(self, span: Span, comment: tuple[int, int], number: int) -> Span | None:
-        """A place in a comment: it is written after the element before it, or before the one after it."""
-        text = self.source.text[slice(*comment)]
+    def _between_tags(self, span: Span, around: tuple[int, int], number: int) -> Span | None:
+        """A place in a comment or text: it is written after the element before it, or before the one after it."""
+        text = self.source.text[slice(*around)]
         for element in self.elements[number : number + 2]:
             written, at = self.spans.home(element).text, element.span.start
             start = (
                 written.rfind(text, 0, at) if element is not self.elements[number] else written.find(text, at)
             )
             if start >= 0:
-                moved = start - comment[0]
+                moved = start - around[0]
                 return self.spans.span(element, span.start + moved, span.end + moved)
         return None
 

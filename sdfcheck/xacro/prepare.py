@@ -32,8 +32,8 @@ from sdfcheck.xacro.problems import (
     dormant,
 )
 from sdfcheck.xacro.static import analysis
-from sdfcheck.xacro.static.definitions import is_robot
-from sdfcheck.xacro.static.project import is_included
+from sdfcheck.xacro.static.definitions import is_robot, keyword
+from sdfcheck.xacro.static.project import is_called, is_included
 from sdfcheck.xacro.static.reasons import with_reason
 
 # Files that are only a part of a robot: another file includes them and has the rest.
@@ -47,6 +47,15 @@ _USES = {
     ("ros2_control", "joint"): ("name", "joint"),
 }
 """An element of a robot and one in it: the attribute that names a part, and the kind of that."""
+
+
+def is_launched_source(document: Document) -> bool:
+    """Are there expressions of xacro in a robot that a launch file of the project expands, whatever its name says?"""
+    if document.kind is not Kind.URDF or not is_unknown(document.source.text):
+        return False
+    from sdfcheck.xacro.static.launches import is_launched
+
+    return is_launched(document)
 
 
 def is_fragment(document: Document) -> bool:
@@ -110,6 +119,7 @@ def prepare(
     found: list[Problem] = list(analysis.problems(document))
     misread = {type(each) for each in found if isinstance(each, _MISLEADING)}
     if expander is None or misread - {MissingXacroPrefix} or not is_robot(document):
+        found = [dormant(each) if _is_uncalled(each, document) else each for each in found]
         return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
     sets = list(argument_sets) or [{}]
     expansions = [
@@ -180,10 +190,13 @@ def expand_as_launched(
     if _needs_arguments(whole):
         from sdfcheck.xacro.static.launches import launched_arguments
 
+        lacks = any(map(_is_missing_argument, whole.problems))
         for launched in launched_arguments(document):
             expansion = expand(document, {**launched, **arguments})
             if not _needs_arguments(expansion):
                 return expansion
+            if lacks and not any(map(_is_missing_argument, expansion.problems)):
+                whole, lacks = expansion, False
     return whole
 
 
@@ -211,12 +224,39 @@ def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[
 def _unreached(
     found: Iterable[Problem], document: Document, partial: Iterable[ExpandedDocument]
 ) -> Iterator[Problem]:
-    """The problems as those that no expansion reached, but for what a partial one has left as it is."""
+    """The problems as those that no expansion reached, but for what a partial one has left as it is.
+
+    An include that every expansion passes has found its file: by what a launch file gives.
+    """
     left = {start for part in partial for start in part.provenance.offsets_in(document.path)}
     for problem in found:
-        starts = document.scan.starts if left else ()
-        element = bisect_right(starts, problem.span.start) - 1
-        yield problem if element >= 0 and starts[element] in left else dormant(problem)
+        starts = document.scan.starts
+        number = bisect_right(starts, problem.span.start) - 1
+        if number >= 0 and starts[number] in left:
+            yield problem
+        elif not (_is_missing_file(problem) and _is_passed(document, number)):
+            yield dormant(problem)
+
+
+def _is_uncalled(problem: Problem, document: Document) -> bool:
+    """Is an expression that fails in a macro that no file of the project calls?"""
+    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.EXPRESSION:
+        return False
+    number = bisect_right(document.scan.starts, problem.span.start) - 1
+    around = document.elements[number].around if number >= 0 else ()
+    macros = (each.attributes.get("name", "") for each in around if keyword(each) == "macro")
+    return any(name and not is_called(document, name) for name in macros)
+
+
+def _is_missing_file(problem: Problem) -> bool:
+    return isinstance(problem, ExpansionFailure) and problem.kind is Failure.FILE
+
+
+def _is_passed(document: Document, number: int) -> bool:
+    """Does every expansion come to an element, outside of branches and macros?"""
+    return number >= 0 and not any(
+        keyword(each) in {"if", "unless", "macro"} for each in document.elements[number].around
+    )
 
 
 def stops(problem: Problem) -> bool:

@@ -68,8 +68,10 @@ def arguments_in(words: Iterable[str]) -> tuple[tuple[str, str], ...]:
     return tuple(pair(word, ARGUMENT, "name:=value") for word in words)
 
 
-def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
+def load(file: Path, around: SearchContext, *, check: bool = True, as_launched: bool = False) -> Document:
     """Read a description, expanded if it is xacro; ``check``: with arguments that it takes.
+
+    ``as_launched``: where it lacks arguments, with those that a launch file of the project gives.
 
     Raises: WrongUsage: it is not a description, cannot be read or expanded, or brings too many
     models.
@@ -87,12 +89,20 @@ def load(file: Path, around: SearchContext, *, check: bool = True) -> Document:
         raise WrongUsage(f"{file} cannot be read: {error.strerror}") from None
     kind = sniff(data, file)
     document = library.given(data, file, None if kind is Kind.BROKEN_XML else kind)
+    if _is_launched_source(document):
+        document = library.given(data, file, Kind.XACRO)
     if document.kind is Kind.XACRO:
-        document = _expanded(document, settings, around)
+        document = _expanded(document, settings, around, as_launched=as_launched)
     if document.root is None or document.kind not in {Kind.SDF, Kind.URDF}:
         raise WrongUsage(f"{file} looks like {kind.description}, not like a robot or world")
     refuse_too_many(document)
     return document
+
+
+def _is_launched_source(document: Document) -> bool:
+    from sdfcheck.xacro.prepare import is_launched_source
+
+    return is_launched_source(document)
 
 
 def load_unexpanded(file: Path, around: SearchContext) -> Document | None:
@@ -114,10 +124,17 @@ def warn_if_broken(*documents: Document) -> None:
             say(f"warning: {place}: the text is broken here, parts may be missing; `sdfcheck lint` says how")
 
 
-def _expanded(document: Document, settings: Settings, around: SearchContext) -> Document:
+def _expanded(
+    document: Document, settings: Settings, around: SearchContext, *, as_launched: bool
+) -> Document:
+    from sdfcheck.xacro.prepare import expand_as_launched
+
     with expander_for(settings) as expander:
         chosen = chosen_arguments(document.path, settings, around)
-        expansion = expander.expand(document, chosen)
+        if as_launched:
+            expansion = expand_as_launched(document, expander.expand, chosen)
+        else:
+            expansion = expander.expand(document, chosen)
     if expansion.document is None:
         obstacle = expansion.obstacle(document.path)
         raise WrongUsage(f"{obstacle}; `sdfcheck expand` says more")

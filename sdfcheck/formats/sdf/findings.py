@@ -102,6 +102,22 @@ _CLOSED = frozenset(("material/pbr",))
 # Without these the rest of the model is refused, or is another one.
 _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
 
+# PyBullet reads `contact` in a link of SDFormat, too.
+_OF_PYBULLET = frozenset(
+    (
+        "contact_cfm",
+        "contact_erp",
+        "damping",
+        "friction_anchor",
+        "inertia_scaling",
+        "lateral_friction",
+        "restitution",
+        "rolling_friction",
+        "spinning_friction",
+        "stiffness",
+    )
+)
+
 # Not in any version, and yet what Gazebo reads: reported among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
@@ -156,6 +172,9 @@ class SdfFindings(Findings):
             successor = history.successor(place, name)
             if not history.carried_over(place, name, self.version):
                 self.found.append(problems.RemovedElement(child, parent, None, old, successor))
+            return
+        inner = {each.name for each in child.children()}
+        if (parent.name, name) == ("link", "contact") and inner and inner <= _OF_PYBULLET:
             return
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name, self.version):

@@ -13,6 +13,7 @@ from itertools import islice
 from pathlib import Path
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.regular import names_in
 from sdfcheck.files.uris import locate
 from sdfcheck.formats import history
 from sdfcheck.formats.findings import text_problems
@@ -201,11 +202,20 @@ def _find_file(document: Document, found: Included, path: Path) -> Included:
         return found._replace(file=path)
     config = config_of(document, path)
     if config is None:
+        if not _is_model(document, path):
+            return found._replace(obstacle=Obstacle.NOT_FOUND)
         is_outside = _is_refused(document, path / CONFIG)
         return found._replace(obstacle=Obstacle.OUTSIDE if is_outside else Obstacle.NO_CONFIG)
     _note_origin(document, config, found)
     file = model_file(config)
     return found._replace(config=config, file=file, obstacle=None if file else Obstacle.BAD_CONFIG)
+
+
+def _is_model(document: Document, folder: Path) -> bool:
+    """Is a folder without a ``model.config`` where models are looked for, or does it hold one?"""
+    library = library_of(document)
+    is_asked_for = library is not None and folder.parent in library.model_folders
+    return is_asked_for or any(name.endswith(".sdf") for name in names_in(folder))
 
 
 def _read(document: Document, found: Included, file: Path) -> Included:

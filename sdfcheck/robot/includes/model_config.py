@@ -142,6 +142,14 @@ def config_of(document: Document, folder: Path) -> Document | None:
     return None
 
 
+def is_superseded(document: Document) -> bool:
+    """Does the ``model.config`` beside a file name it, and take another one for newer versions?"""
+    config = config_of(document, document.path.parent)
+    if config is None or config.root is None or model_file(config) in {None, document.path}:
+        return False
+    return any(entry.content == document.path.name for entry in config.root.children("sdf"))
+
+
 def model_file(config: Document) -> Path | None:
     """The file that a ``model.config`` names, None if there is none of that name."""
     entry = chosen_entry(config.root) if config.root is not None else None

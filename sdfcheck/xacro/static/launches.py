@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Protocol
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import Packages
+from sdfcheck.files.packages import Packages, is_of_ros_1
 from sdfcheck.files.regular import read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -44,34 +44,55 @@ _ATTRIBUTE = re.compile(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"(
 _REFERENCE = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
 _PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
 _OTHER = re.compile(r"\$\((?!command\b)[^()]*\)")
+_STRING = re.compile(r"type\s*=\s*[\"']str")
 _GIVEN = re.compile(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
 
 
 class _Use(NamedTuple):
-    """The name of a file that is expanded, or included, and what it is given."""
+    """A file that is expanded, included, or opened as it is: what it is given, and whether it is taken for text."""
 
     file: str
     arguments: Mapping[str, str]
+    is_text: bool = True
+    is_expanded: bool = True
 
 
 def launched_arguments(document: Document) -> tuple[Mapping[str, str], ...]:
     """The sets of arguments with which launch files of the project expand a xacro file, each once."""
-    library = library_of(document)
-    if library is None:
-        return ()
-    uses = library.of_project(document.path, _Launches).uses.get(document.path.name, ())
     found: list[Mapping[str, str]] = []
-    for arguments in uses:
+    for arguments in (each.arguments for each in _uses(document)):
         if arguments and arguments not in found:
             found.append(arguments)
     return tuple(found[:_MOST])
+
+
+def is_launched(document: Document) -> bool:
+    """Does a launch file of the project expand a file with xacro?"""
+    return any(each.is_expanded for each in _uses(document))
+
+
+def is_launched_as_text(document: Document) -> bool:
+    """Do the launch files of the project that expand or open a file take it for text, none for YAML?
+
+    Those of ROS 1 always do, those of ROS 2 where they say so (``ParameterValue``). Where none names the file,
+    those count that expand one whose name is not known.
+    """
+    uses = _uses(document) or _uses(document, "")
+    return is_of_ros_1(document.path) or (bool(uses) and all(each.is_text for each in uses))
+
+
+def _uses(document: Document, name: str | None = None) -> list[_Use]:
+    """The uses of a file, or of files of another name, which is empty where it is not known."""
+    library = library_of(document)
+    uses = {} if library is None else library.of_project(document.path, _Launches).uses
+    return uses.get(document.path.name if name is None else name, [])
 
 
 def launched_names(document: Document) -> frozenset[str]:
     """The names of all arguments that launch files of the project give to xacro files."""
     library = library_of(document)
     uses = {} if library is None else library.of_project(document.path, _Launches).uses
-    return frozenset(name for sets in uses.values() for arguments in sets for name in arguments)
+    return frozenset(name for sets in uses.values() for each in sets for name in each.arguments)
 
 
 class _Launch(Protocol):
@@ -114,7 +135,7 @@ class _Launches:
     __slots__ = ("_around", "uses")
 
     def __init__(self, packages: Packages) -> None:
-        self.uses: dict[str, list[Mapping[str, str]]] = {}
+        self.uses: dict[str, list[_Use]] = {}
         self._around = _Surroundings(packages)
         by_name: dict[str, _Launch] = {}
         launches: list[_Launch] = []
@@ -126,14 +147,14 @@ class _Launches:
                     by_name.setdefault(path.name, launch)
         for launch in launches:
             for use in self._uses(launch, {}, by_name, 0):
-                self.uses.setdefault(use.file, []).append(use.arguments)
+                self.uses.setdefault(use.file, []).append(use)
 
     def _read(self, path: Path) -> _Launch | None:
         try:
             text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
         except OSError:
             return None
-        if "xacro" not in text and "nclude" not in text:
+        if "xacro" not in text and "nclude" not in text and "open(" not in text:
             return None
         if path.suffix != ".py":
             return _Xml(text, self._around, is_ros_1=path.suffix == ".launch")
@@ -149,24 +170,28 @@ class _Launches:
                 yield from self._uses(by_name[inner.file], inner.arguments, by_name, depth + 1)
 
 
-def _of_command(command: str) -> Iterator[_Use]:
+def _of_command(command: str, *, is_text: bool) -> Iterator[_Use]:
     """The use in a command line: the file is the first word that ends as one, and arguments follow."""
     words = command.split()
     names = [word.strip("'\"()").rpartition("/")[2] for word in words if ":=" not in word]
     file = next((name for name in names if name.endswith((".xacro", ".urdf"))), "")
-    if file and _UNKNOWN not in file:
+    if _UNKNOWN in file or (not file and words[:1] == ["xacro"]):
+        yield _Use("", {}, is_text)
+    elif file:
         given = ((name, value.strip("'\"")) for name, value in _GIVEN.findall(command))
-        yield _Use(file, {name: value.rstrip(")'\"") for name, value in given if _UNKNOWN not in value})
+        known = {name: value.rstrip(")'\"") for name, value in given if _UNKNOWN not in value}
+        yield _Use(file, known, is_text)
 
 
 class _Xml:
     """A launch file in XML. In ROS 2 an included file knows all arguments, in ROS 1 those that it is given."""
 
-    __slots__ = ("_around", "_commands", "_declared", "_includes", "_is_ros_1")
+    __slots__ = ("_around", "_commands", "_declared", "_includes", "_is_ros_1", "_is_text")
 
     def __init__(self, text: str, around: _Surroundings, *, is_ros_1: bool) -> None:
         self._around = around
         self._is_ros_1 = is_ros_1
+        self._is_text = is_ros_1 or _STRING.search(text) is not None
         self._declared: list[dict[str, str]] = []
         self._includes: list[tuple[dict[str, str], list[dict[str, str]]]] = []
         """The attributes of each include, and of the arguments in it."""
@@ -185,7 +210,7 @@ class _Xml:
     def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
         for command in self._commands:
-            yield from _of_command(self._text(command, values))
+            yield from _of_command(self._text(command, values), is_text=self._is_text)
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
@@ -242,12 +267,16 @@ _WRAPPERS = frozenset(
 class _Python:
     """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    __slots__ = ("_around", "_calls", "_defaults", "_given", "_values")
+    __slots__ = ("_around", "_calls", "_defaults", "_given", "_is_expander", "_is_text", "_values")
 
     def __init__(self, tree: ast.AST, around: _Surroundings) -> None:
         self._around = around
         self._given: Mapping[str, str] = {}
         self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+        called = set(map(_called, self._calls))
+        self._is_text = "ParameterValue" in called
+        self._is_expander = "process_doc" in called
+        """Does it expand what it opens (``xacro.process_doc(xacro.parse(open(FILE)))``)?"""
         self._values: dict[str, ast.expr] = {}
         for node in ast.walk(tree):
             if (
@@ -277,11 +306,15 @@ class _Python:
         for call in self._calls:
             name = _called(call)
             if name == "Command" and call.args:
-                yield from _of_command(self._around.resolved(self._text(call.args[0])))
+                command = self._around.resolved(self._text(call.args[0]))
+                yield from _of_command(command, is_text=self._is_text)
             elif name in {"process_file", "process"} and call.args:
                 mappings = next((each.value for each in call.keywords if each.arg == "mappings"), None)
-                if mappings is not None:
-                    yield from self._of_pairs(call.args[0], mappings, {})
+                yield from self._of_pairs(call.args[0], mappings or ast.Dict([], []), {})
+            elif name == "open" and call.args:
+                file = self._text(call.args[0]).rpartition("/")[2]
+                if file.endswith((".urdf", ".xacro")) and _UNKNOWN not in file:
+                    yield _Use(file, {}, is_expanded=self._is_expander)
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         self._given = given

@@ -43,6 +43,9 @@ def _pattern(path: str) -> str:
     return _EXPRESSION.sub("*", path)
 
 
+_CALL = r"<xacro:([\w.]+)"
+
+
 class _Filename(NamedTuple):
     """A file name as another file of the project writes it."""
 
@@ -114,6 +117,12 @@ def _is_included(document: Document) -> bool:
 def includers(document: Document) -> list[Path]:
     """The other xacro files of the project that include this one, directly, sorted."""
     return sorted({each.by for each in _inclusions(document, document.path)})
+
+
+def is_called(document: Document, macro: str) -> bool:
+    """Does a xacro file of the project call a macro of that name, as far as that is known?"""
+    library = library_of(document)
+    return library is None or macro in _project(library, document).written(_CALL)
 
 
 def names_beside(document: Document, path: Path, pattern: str) -> frozenset[str]:

@@ -102,6 +102,17 @@ def test_a_path_that_holds_after_installation(tmp_path: Path, rule: str, asked: 
     assert Packages(tmp_path, environment={}).locate(arm / asked) == arm / found
 
 
+def test_a_build_may_expand_a_file(tmp_path: Path) -> None:
+    arm = package(tmp_path / "arm", "arm")
+    source = arm / "arm.urdf.xacro"
+    source.touch()
+    assert Packages(tmp_path, environment={}).locate(arm / "arm.urdf") == arm / "arm.urdf"
+    (arm / "CMakeLists.txt").write_text(
+        "project(arm)\nxacro_add_files(arm.urdf.xacro INSTALL DESTINATION urdf)\n"
+    )
+    assert Packages(tmp_path, environment={}).locate(arm / "arm.urdf") == source
+
+
 def test_the_project_is_the_repository_or_the_workspace(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.cli.main import main
 
 XACRO = """<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
@@ -250,3 +251,87 @@ def test_arguments_of_the_command_line_are_stronger(
 ) -> None:
     (package / "launch" / "bot.launch").write_text(ROS_1)
     assert main(["lint", ".", "gripper:=false"]) == 0
+
+
+def codes(package: Path) -> list[str]:
+    """The warnings and errors of all files, by their codes."""
+    run = sdfcheck.lint(package, isolated=True)
+    return [each.code for each in run.diagnostics if each.severity is not sdfcheck.Severity.INFO]
+
+
+NOTED = """<!-- author: me -->
+<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <link name="base_link"/><link name="a"/><xacro:macro name="m" params=""/><xacro:m/>
+  <joint name="j" type="fixed"><parent link="base_link"/><child link="a"/></joint>
+</robot>
+"""
+AS_YAML = """
+robot = Command(["xacro ", PathJoinSubstitution([FindPackageShare("bot"), "urdf", "bot.urdf.xacro"])])
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "manifest", "is_found"),
+    [
+        (AS_YAML, "<package><name>bot</name></package>", True),
+        (AS_YAML.replace("Command(", "ParameterValue(Command(") + ", value_type=str)", "", False),
+        (AS_YAML, "<package><name>bot</name><buildtool_depend>catkin</buildtool_depend></package>", False),
+        (MAPPINGS, "<package><name>bot</name></package>", False),
+        (AS_YAML.replace('"bot.urdf.xacro"', "choose()"), "", True),
+        (AS_YAML.replace('"bot.urdf.xacro"', "choose()") + "text = ParameterValue(robot)\n", "", False),
+        ("", "", True),
+    ],
+)
+def test_colons_break_what_is_read_as_yaml(
+    package: Path, launch: str, manifest: str, *, is_found: bool
+) -> None:
+    (package / "package.xml").write_text(manifest or "<package><name>bot</name></package>")
+    (package / "urdf" / "bot.urdf.xacro").write_text(NOTED)
+    (package / "launch" / "bot.launch.py").write_text(launch)
+    assert ("URD015" in codes(package)) is is_found
+
+
+OPENED = """
+import os, xacro
+path = os.path.join(get_package_share_directory("bot"), "urdf", "bot.urdf")
+robot = xacro.parse(open(path))
+xacro.process_doc(robot)
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "is_launched"),
+    [
+        ("", False),
+        (AS_YAML.replace(".xacro", ""), True),
+        (OPENED, True),
+        (OPENED.replace("process_", ""), False),
+    ],
+)
+def test_a_source_may_be_called_urdf(package: Path, launch: str, *, is_launched: bool) -> None:
+    (package / "urdf" / "bot.urdf.xacro").unlink()
+    (package / "urdf" / "bot.urdf").write_text(
+        '<robot name="r"><link name="${1 + 1}"/><link name="2"/></robot>'
+    )
+    (package / "launch" / "bot.launch.py").write_text(launch)
+    assert codes(package)[0] == ("NAM001" if is_launched else "URD009")
+
+
+def test_launched_arguments_count_without_a_package(package: Path) -> None:
+    include = '<xacro:include filename="$(find absent)/a.xacro"/></robot>'
+    (package / "urdf" / "bot.urdf.xacro").write_text(XACRO.replace("</robot>", include))
+    (package / "launch" / "bot.launch").write_text(ROS_1)
+    assert codes(package) == ["XAC007"]
+
+
+def test_an_include_that_an_expansion_passes_is_found(package: Path) -> None:
+    (package / "urdf" / "part.xacro").write_text(
+        XACRO.replace("$(arg side)", "").replace("$(arg gripper)", "1")
+    )
+    (package / "urdf" / "bot.urdf.xacro").write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="side" default="/nowhere"/>'
+        '<xacro:include filename="$(arg side)/part.xacro"/></robot>'
+    )
+    launch = MAPPINGS.replace('"side": "right"', '"side": folder + "/urdf"')
+    (package / "launch" / "bot.launch.py").write_text(launch)
+    assert "XAC001" not in codes(package)

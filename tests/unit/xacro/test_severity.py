@@ -218,3 +218,13 @@ def test_a_branch_that_is_not_taken_is_checked_as_it_is_written(folder: Path, co
     assert [severity for _, severity in found(folder, content) if severity != "info"]
     taken = content.replace("fixd", "fixed").replace("<visul/>", "")
     assert not {code for code, _ in found(folder, taken)} & {"SCH015", "URD001"}
+
+
+def test_a_macro_that_nobody_calls_stops_nothing(folder: Path) -> None:
+    broken = '<xacro:macro name="wheel" params="r"><link name="${r)}"/></xacro:macro>'
+    (folder / "wheel.xacro").write_text(PART.format(broken))
+    assert found(folder, name="wheel.xacro") == [("XAC001", "warning")]
+    (folder / "robot.urdf.xacro").write_text(
+        ROBOT.format('<xacro:include filename="wheel.xacro"/><xacro:wheel r="1"/>')
+    )
+    assert found(folder, name="wheel.xacro") == [("XAC001", "error")]
