@@ -20,6 +20,7 @@ from sdfcheck.consumers.engines import Engine, Limits, is_installed
 from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
+from sdfcheck.lint.engine import Dispatch, lint_document
 from sdfcheck.lint.kinds import SIMULATED
 from sdfcheck.lint.one_file import silence_simulated
 from sdfcheck.lint.rulebook.rulebook import RuleBook
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
+_MOVING = frozenset({"GEO", "JNT"})
+"""The families of rules about shapes and joints: of a robot that moves, they say what no simulator notices."""
 
 
 def _simulators(
@@ -99,8 +102,12 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     settings = Settings(engines, seconds, Limits(time_limit))
     configured = surroundings.settings_for(file)
     failing = configured.fail_on
-    rules = (*RuleBook().rules(configured), *SIMULATED)
-    found, silenced = silence_simulated(_findings(document, settings, quiet=quiet), rules, configured, file)
+    book = RuleBook()
+    rules = (*book.rules(configured), *SIMULATED)
+    findings = _linted(document, book.dispatch(configured, file)) + _findings(document, settings, quiet=quiet)
+    found, silenced = silence_simulated(
+        sorted(findings, key=lambda one: one.sort_key), rules, configured, file
+    )
     done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
     for output in wanted:
         write(output, done, color=color, view=view_of(request, failing))
@@ -118,6 +125,11 @@ def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
     if not chosen:
         raise WrongUsage(f"no simulator is installed: {Engine.MUJOCO.advice}")
     return chosen
+
+
+def _linted(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
+    """The findings of rules about shapes and joints; their fixes are for `sdfcheck lint`."""
+    return [each.without_fix for each in lint_document(document, dispatch) if each.code[:3] in _MOVING]
 
 
 def _findings(document: Document, settings: Settings, *, quiet: bool) -> list[Diagnostic]:
