@@ -17,7 +17,7 @@ FAR = 1.0
 LEAST = 0.01
 """m: what is nearer may be held by a part that is not drawn."""
 NEAR, SHARE = 0.005, 0.05
-"""m, and of the length of the link: of 420 parts that joints carry in public robots, by their surfaces, one is
+"""m, and of the length of the link: of 441 parts that joints carry in public robots, by their surfaces, three are
 farther from the rest of its robot."""
 
 
