@@ -69,7 +69,7 @@ class DetachedCollision(Rule):
 
 def gap(link: Link) -> float:
     """How far collisions and visuals are apart (m), where that is too much; else 0."""
-    if not link.has("visual") or not link.has("collision") or not link.has_mesh:
+    if not link.has("visual") or not link.has("collision"):
         return 0.0
     visuals, collisions = link.visual_box, link.collision_box
     if visuals is None or collisions is None:

@@ -16,6 +16,9 @@ FAR = 1.0
 """m: joints that are nearer to their parents are the rule."""
 LEAST = 0.01
 """m: what is nearer may be held by a part that is not drawn."""
+NEAR, SHARE = 0.005, 0.05
+"""m, and of the length of the link: of 441 parts that joints carry in public robots, by their surfaces, three are
+farther from the rest of its robot."""
 
 
 class DetachedLink(Rule):
@@ -49,7 +52,7 @@ class DetachedLink(Rule):
     good = (
         Good(
             mesh("visual", "arm.obj"),
-            scaffold=ARM.replace("0 0 0.3", "0 0 0.1"),
+            scaffold=ARM.replace("0 0 0.3", "0 0 0.06"),
             files={"arm.obj": wedge(0.3)},
         ),
         Good(
@@ -109,6 +112,9 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
         bound = max(least, MOST * length(link))
         others = [other for other in (joint.parent_link, *drawn) if other is not None and other is not link]
         distance = nearest(link, others, bound)
+        if not bound < distance < inf and model.has_mesh:
+            bound = max(NEAR, SHARE * length(link))
+            distance = joint.gap(bound)
         if bound < distance < inf:
             found.append((joint, link, distance))
     return found

@@ -82,8 +82,6 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
-    if not bare or len(bare) * 2 > len(moving):
-        return []
     found: list[tuple[Link, Link | None]] = []
     for link in bare:
         alike = [other for other in link.counterparts or numbered(link) if other in moving]

@@ -5,6 +5,8 @@ from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 
 LEAST, SHARE = 0.005, 0.05
 """m, and of the distance: joints that are made by hand differ by less."""
+TWINS = 2
+"""Joints between the same meshes that agree."""
 MOST = 3
 """Pairs: a robot with more of them is not meant to be symmetric."""
 JOINT = (
@@ -19,12 +21,29 @@ ARM = JOINT + (
 ROBOT = '<robot name="r"><link name="base"/><link name="left_wheel"/><link name="right_wheel"/>{}</robot>'
 
 
+def fingers(*origins: str) -> str:
+    """A hand whose fingers are made of two meshes each, with the origins of their second joints."""
+    visual = '<visual><geometry><mesh filename="{}.stl"/></geometry></visual>'
+    joint = (
+        '<joint name="{0}_joint" type="continuous"><origin xyz="{2}"/><parent link="{1}"/>'
+        '<child link="{0}"/></joint>'
+    )
+    text = "".join(
+        f'<link name="{name}">{visual.format("finger")}</link><link name="{name}_tip">{visual.format("tip")}</link>'
+        + joint.format(name, "palm", f"0 0.{number} 0")
+        + joint.format(f"{name}_tip", name, origin)
+        for number, (name, origin) in enumerate(zip("abc", origins, strict=True))
+    )
+    return f'<robot name="r"><link name="palm"/>{text}</robot>'
+
+
 class AsymmetricJoint(Rule):
     """A joint on the right is not where the one of the same name is on the left.
 
     Machines are symmetric: apart from signs, the origins of two such joints are the same numbers. Of a thousand pairs
     in public robots two differ by more than 5 mm and 5 %, in one hand. A robot with more than three such pairs is
-    not meant to be symmetric.
+    not meant to be symmetric. Where three fingers or legs are made of the same meshes, their joints are at the same
+    places in them: of 53 such groups in public robots none has one joint elsewhere.
     """
 
     code = "JNT020"
@@ -44,8 +63,14 @@ class AsymmetricJoint(Rule):
             JOINT.format("left", "0.1 0.2 0") + JOINT.format("right", "«0.1 -0.15 0»"),
             says="joint `right_wheel_joint` is 0.05 m from where the mirrored origin of `left_wheel_joint` is",
         ),
+        Bad(
+            fingers("0 0 0.1", "«0.03 0 0.1»", "0 0 0.1"),
+            scaffold="{}",
+            says="joint `b_tip_joint` is 0.03 m from where its 2 counterparts are, in a part of the same meshes",
+        ),
     )
     good = (
+        Good(fingers("0 0 0.1", "0 0 0.1", "0 0 0.1"), scaffold="{}"),
         Good(
             JOINT.format("left", "0.1 0.2 0") + JOINT.format("right", "0.1 -0.202 0"), why="rounded by hand"
         ),
@@ -62,7 +87,7 @@ class AsymmetricJoint(Rule):
 
     @staticmethod
     def applies(model: Model) -> bool:
-        return bool(displaced(model))
+        return bool(displaced(model) or misplaced(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
         for joint, mirror in displaced(model):
@@ -73,6 +98,15 @@ class AsymmetricJoint(Rule):
                 f"{joint.title} is {displacement(joint, mirror):.3g} m from where the mirrored origin of"
                 f" `{mirror.name}` is",
                 labels={mirror if other is None else other: "its counterpart"},
+            )
+        for joint, twins in misplaced(model):
+            origin = joint.find("origin")
+            value = None if origin is None else origin.attribute("xyz")
+            yield self.diagnostic(
+                value or joint,
+                f"{joint.title} is {dist(origin_of(joint), origin_of(twins[0])):.3g} m from where its"
+                f" {len(twins)} counterparts are, in a part of the same meshes",
+                labels={twins[0]: "one of them"},
             )
 
 
@@ -91,6 +125,33 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
         and not is_slid(joint, mirror)
     ]
     return found if len(found) <= MOST else []
+
+
+def misplaced(model: Model) -> list[tuple[Joint, list[Joint]]]:
+    """The joints that are elsewhere than two or more others between the same meshes, which agree; each with these."""
+    found = []
+    for joint in model.joints:
+        look = joint.parent_link.look if joint.parent_link is not None else ()
+        twins = [
+            twin for twin in joint.twins if twin.parent_link is not None and twin.parent_link.look == look
+        ]
+        origins = [origin_of(each) for each in (joint, *twins)]
+        if look and len(twins) >= TWINS and all(len(origin) == 3 for origin in origins):
+            apart = [dist(origins[1], origin) for origin in origins]
+            if max(apart[1:]) <= LEAST < apart[0]:
+                found.append((joint, twins))
+    return found
+
+
+def origin_of(joint: Joint) -> list[float]:
+    """The numbers of its origin (m); none where unreadable."""
+    origin = joint.find("origin")
+    try:
+        return [
+            float(word) for word in ("0 0 0" if origin is None else origin.text_of("xyz", "0 0 0")).split()
+        ]
+    except ValueError:
+        return []
 
 
 def displacement(joint: Joint, mirror: Joint) -> float:
@@ -134,9 +195,4 @@ def cross(a: Sequence[float], b: Sequence[float]) -> tuple[float, float, float]:
 
 def place(joint: Joint) -> list[float]:
     """The coordinates of its origin without signs and order, for frames may be turned; none where unreadable."""
-    origin = joint.find("origin")
-    text = "0 0 0" if origin is None else origin.text_of("xyz", "0 0 0")
-    try:
-        return sorted(abs(float(word)) for word in text.split())
-    except ValueError:
-        return []
+    return sorted(map(abs, origin_of(joint)))

@@ -129,16 +129,10 @@ def is_seen(joint: Joint) -> bool:
 
 def is_copy(joint: Joint, mirror: Joint) -> bool:
     """Is it the same joint of the same part, as of an arm that was bought twice? Nothing of such arms is mirrored."""
-    own, other = (
-        [
-            (shape.geometry.uri, tuple(shape.geometry.scale), shape.position, shape.along)
-            for shape in link.shapes
-            if shape.geometry.shape == "mesh"
-        ]
-        for link in (joint.child_link, mirror.child_link)
-        if link is not None
-    )
-    return bool(own) and own == other and tuple(joint.axis.xyz) == tuple(mirror.axis.xyz)
+    link, other = joint.child_link, mirror.child_link
+    if link is None or other is None or not link.look:
+        return False
+    return link.look == other.look and tuple(joint.axis.xyz) == tuple(mirror.axis.xyz)
 
 
 def side(joint: Joint, mirror: Joint) -> int:

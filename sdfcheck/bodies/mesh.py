@@ -13,9 +13,10 @@ import math
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import islice
+from dataclasses import dataclass
+from itertools import islice, pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
+from typing import TYPE_CHECKING, Any, BinaryIO, Generic, TypeAlias, TypeVar
 from urllib.parse import unquote
 
 from sdfcheck.bodies.box import Box, around
@@ -26,6 +27,8 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from sdfcheck.bodies.solid import Skin
 
     Points: TypeAlias = npt.NDArray[np.float64]
 
@@ -122,8 +125,6 @@ def _is_binary_stl(data: bytes, promised: str) -> bool:
 
 
 def _read_stl(data: bytes) -> Mesh:
-    import numpy as np
-
     if not _is_binary_stl(data, "STL"):
         return _read_text_stl(data)
     count = int.from_bytes(data[80:84], "little")
@@ -132,9 +133,15 @@ def _read_stl(data: bytes) -> Mesh:
         raise Faulty(f"ends after {there} of the {count} triangles that its header announces")
     if not count:
         raise Faulty("has no triangle")
+    return Mesh("STL", _bounds(_stl_corners(data, count)), count)
+
+
+def _stl_corners(data: bytes, count: int) -> Any:
+    """The corners of a binary STL's triangles, shape (3 n, 3)."""
+    import numpy as np
+
     row = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-    corners = np.frombuffer(data, row, count, 84)["corners"].reshape(-1, 3)
-    return Mesh("STL", _bounds(corners), count)
+    return np.frombuffer(data, row, count, 84)["corners"].reshape(-1, 3)
 
 
 _FACET = 21
@@ -142,6 +149,11 @@ _FACET = 21
 
 
 def _read_text_stl(data: bytes) -> Mesh:
+    corners = _text_stl_corners(data)
+    return Mesh("STL", _bounds(corners), len(corners) // 3)
+
+
+def _text_stl_corners(data: bytes) -> Points:
     import numpy as np
 
     start, end = data.lower().find(b"facet"), data.lower().rfind(b"endfacet")
@@ -150,19 +162,14 @@ def _read_text_stl(data: bytes) -> Mesh:
     words = data[start : end + len(b"endfacet")].split()
     columns = [8, 9, 10, 12, 13, 14, 16, 17, 18]
     if len(words) % _FACET == 0 and {word.lower() for word in words[7::_FACET]} == {b"vertex"}:
-        corners = np.array(words).reshape(-1, _FACET)[:, columns].astype(float).reshape(-1, 3)
-    else:  # several solids, or comments
-        found = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data, re.IGNORECASE)
-        corners = np.array(found).astype(float).reshape(-1, 3)
-    return Mesh("STL", _bounds(corners), len(corners) // 3)
+        return np.array(words).reshape(-1, _FACET)[:, columns].astype(float).reshape(-1, 3)
+    # several solids, or comments
+    found = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data, re.IGNORECASE)
+    return np.array(found).astype(float).reshape(-1, 3)
 
 
 def _read_obj(data: bytes) -> Mesh:
-    import numpy as np
-
-    rows = [line.split()[:3] for line in re.findall(rb"^[ \t]*v[ \t]+(.+)$", data, re.MULTILINE)]
-    corners = np.array(rows).astype(float).reshape(-1, 3)
-    faces = re.findall(rb"^[ \t]*f[ \t]+(.+)$", data, re.MULTILINE)
+    corners, faces = _obj_parts(data)
     triangles = sum(max(len(face.split()) - 2, 0) for face in faces)
     if not triangles:
         raise Faulty("has no face")
@@ -172,7 +179,20 @@ def _read_obj(data: bytes) -> Mesh:
     )
 
 
+def _obj_parts(data: bytes) -> tuple[Points, list[bytes]]:
+    """The corners (n, 3) of an OBJ file, and the texts of its faces."""
+    import numpy as np
+
+    rows = [line.split()[:3] for line in re.findall(rb"^[ \t]*v[ \t]+(.+)$", data, re.MULTILINE)]
+    corners = np.array(rows).astype(float).reshape(-1, 3)
+    return corners, re.findall(rb"^[ \t]*f[ \t]+(.+)$", data, re.MULTILINE)
+
+
 def _read_collada(data: bytes) -> Mesh:
+    return _collada(data).mesh()
+
+
+def _collada(data: bytes) -> _Collada:
     from lxml import etree
 
     try:
@@ -183,7 +203,7 @@ def _read_collada(data: bytes) -> Mesh:
         root = etree.fromstring(data, parser)
     except etree.XMLSyntaxError as error:
         raise Faulty(f"is not well-formed XML ({error.msg})") from None
-    return _Collada(root).mesh()
+    return _Collada(root)
 
 
 class _Collada:
@@ -193,12 +213,18 @@ class _Collada:
         self.root = root
         self.named = {element.get("id"): element for element in root.iter() if element.get("id")}
         self.measured: dict[Any, tuple[Box | None, int]] = {}
+        self.points: dict[Any, Points | None] = {}
+
+    @property
+    def meter(self) -> float:
+        """m for each unit of length."""
+        unit = next(self._all(self.root, "unit"), None)
+        return float(unit.get("meter", 1)) if unit is not None else 1.0
 
     def mesh(self) -> Mesh:
         import numpy as np
 
-        unit = next(self._all(self.root, "unit"), None)
-        meter = float(unit.get("meter", 1)) if unit is not None else 1.0
+        meter = self.meter
         boxes: list[Points] = []
         triangles = 0
         for transform, geometry in self._placed():
@@ -243,28 +269,58 @@ class _Collada:
 
     def _geometry(self, element: Any) -> tuple[Box | None, int]:
         """The bounds of a geometry, or of that of a controller, and its triangles."""
+        element = self._unskinned(element)
         if element not in self.measured:
-            skin = next(self._all(element, "skin"), None) if _name(element) == "controller" else None
-            source = self.named.get(skin.get("source", "")[1:]) if skin is not None else None
-            if source is not None and _name(source) == "geometry":
-                element = source
-            self.measured[element] = self._positions(element), sum(map(_triangles, element.iter()))
+            points = (self._positions(vertices) for vertices in self._all(element, "vertices"))
+            box = around(_bounds(each) for each in points if each is not None)
+            self.measured[element] = box, sum(map(_triangles, element.iter()))
         return self.measured[element]
 
-    def _positions(self, element: Any) -> Box | None:
-        """The box around its positions; one of floats only, so that they are read once."""
-        boxes = []
-        for vertices in self._all(element, "vertices"):
-            inputs = (each for each in self._all(vertices, "input") if each.get("semantic") == "POSITION")
-            source = next((self._target(each, "source") for each in inputs), None)
-            floats = next(self._all(source, "float_array"), None) if source is not None else None
-            if source is None or floats is None or not (floats.text or "").strip():
-                continue
-            accessor = next(self._all(source, "accessor"), None)
-            stride = int(accessor.get("stride", 3)) if accessor is not None else 3
-            numbers = _numbers(floats.text)
-            boxes.append(_bounds(numbers[: len(numbers) // stride * stride].reshape(-1, stride)[:, :3]))
-        return around(boxes)
+    def _unskinned(self, element: Any) -> Any:
+        """The geometry of a controller."""
+        skin = next(self._all(element, "skin"), None) if _name(element) == "controller" else None
+        source = self.named.get(skin.get("source", "")[1:]) if skin is not None else None
+        return source if source is not None and _name(source) == "geometry" else element
+
+    def _positions(self, vertices: Any) -> Points | None:
+        """The positions (n, 3) of ``vertices``."""
+        inputs = (each for each in self._all(vertices, "input") if each.get("semantic") == "POSITION")
+        source = next((self._target(each, "source") for each in inputs), None)
+        floats = next(self._all(source, "float_array"), None) if source is not None else None
+        if source is None or floats is None or not (floats.text or "").strip():
+            return None
+        accessor = next(self._all(source, "accessor"), None)
+        stride = int(accessor.get("stride", 3)) if accessor is not None else 3
+        numbers = _numbers(floats.text)
+        return numbers[: len(numbers) // stride * stride].reshape(-1, stride)[:, :3]
+
+    def triangles(self) -> Iterator[Points]:
+        """The triangles (n, 3, 3) of each primitive (m)."""
+        for transform, element in self._placed():
+            for primitive in self._unskinned(element).iter():
+                if _triangles(primitive) and (corners := self._corners(primitive)) is not None:
+                    yield (corners @ transform[:3, :3].T + transform[:3, 3]) * self.meter
+
+    def _corners(self, primitive: Any) -> Points | None:
+        """The triangles of one primitive, in its own frame."""
+        import numpy as np
+
+        inputs = [each for each in primitive if _name(each) == "input"]
+        vertex = next((each for each in inputs if each.get("semantic") == "VERTEX"), None)
+        vertices = self._target(vertex, "source") if vertex is not None else None
+        if vertices not in self.points:
+            self.points[vertices] = self._positions(vertices) if vertices is not None else None
+        points = self.points[vertices]
+        if vertex is None or points is None:
+            return None
+        stride = 1 + max(int(each.get("offset", 0)) for each in inputs)
+        rows = [_numbers(each.text or "").astype(int) for each in primitive if _name(each) == "p"]
+        corners = [row[int(vertex.get("offset", 0)) :: stride] for row in rows]
+        sides = next((_numbers(each.text or "") for each in primitive if _name(each) == "vcount"), None)
+        if _name(primitive) == "triangles":
+            return np.asarray(points[corners[0][: len(corners[0]) // 3 * 3].reshape(-1, 3)])
+        counts = sides.astype(int).tolist() if sides is not None else list(map(len, corners))
+        return np.asarray(points[_fans(counts, [corner for row in corners for corner in row.tolist()])])
 
     def _target(self, element: Any, attribute: str = "url") -> Any:
         return self.named.get((element.get(attribute) or "").lstrip("#"))
@@ -325,6 +381,20 @@ def _turn(axis: Points, angle: float) -> Points:
     return np.asarray(np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * (cross @ cross))
 
 
+def _fans(counts: Sequence[int], corners: Sequence[int]) -> Any:
+    """The triangles (n, 3) of polygons with so many corners each."""
+    import numpy as np
+
+    if set(counts) == {3}:
+        return np.array(corners[: 3 * len(counts)]).reshape(-1, 3)
+    starts, found = 0, []
+    for count in counts:
+        first, *others = corners[starts : starts + count]
+        found += [(first, *pair) for pair in pairwise(others)]
+        starts += count
+    return np.array(found, dtype=int).reshape(-1, 3)
+
+
 def _read_glb(data: bytes) -> Mesh:
     length, kind = int.from_bytes(data[12:16], "little"), data[16:20]
     if kind != b"JSON" or len(data) < 20 + length:
@@ -353,6 +423,32 @@ def _read_gltf(data: bytes) -> Mesh:
     named = (each.get("uri", "") for kind in ("buffers", "images") for each in document.get(kind, ()))
     files = _names(unquote(name) for name in named if not name.startswith("data:"))
     return Mesh("glTF", _bounds(np.concatenate(boxes)), triangles, is_upright=False, files=files)
+
+
+_INDICES = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
+
+
+def _gltf_triangles(document: Mapping[str, Any], buffer: bytes) -> Iterator[Points]:
+    """The triangles (n, 3, 3) of each primitive (m); all must be in one buffer."""
+    import numpy as np
+
+    def read(number: int, kind: str, width: int) -> Any:
+        accessor = document["accessors"][number]
+        view = document["bufferViews"][accessor["bufferView"]]
+        row = np.dtype((kind, (width,)))
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        steps = (view.get("byteStride") or row.itemsize, np.dtype(kind).itemsize)
+        size = view.get("byteOffset", 0) + view["byteLength"]
+        return np.ndarray((accessor["count"], width), kind, buffer[:size], start, steps)
+
+    for transform, primitive in _gltf_primitives(document):
+        if primitive.get("mode", 4) != 4:
+            continue
+        points = read(primitive["attributes"]["POSITION"], "<f4", 3) @ transform[:3, :3].T + transform[:3, 3]
+        if "indices" in primitive:
+            kind = _INDICES[document["accessors"][primitive["indices"]]["componentType"]]
+            points = points[read(primitive["indices"], kind, 1)[:, 0]]
+        yield points[: len(points) // 3 * 3].reshape(-1, 3, 3)
 
 
 def _names(found: Iterable[str]) -> tuple[str, ...]:
@@ -423,11 +519,62 @@ _READERS: dict[str, Callable[[bytes], Mesh]] = {
 }
 
 
+def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
+    """The skin of a mesh file (m), without scale; None where its triangles are not known. Raises OSError."""
+    import numpy as np
+
+    from sdfcheck.bodies.solid import skin_of
+
+    data, found, count = read(path, LIMIT), [], 0
+    try:
+        for part in _each_triangle(data, _format(data, ENDINGS.get(path.suffix.lower(), ""))):
+            found.append(part)
+            count += len(part)
+            if count > _MOST_TRIANGLES:
+                return None
+    except (ArithmeticError, IndexError, KeyError, RecursionError, TypeError, ValueError, AttributeError):
+        return None
+    return skin_of(np.concatenate(found)) if found else None
+
+
+_MOST_TRIANGLES = 5_000_000
+"""Parts of a file that are placed often would be endless."""
+
+
+def _each_triangle(data: bytes, form: str) -> Iterator[Points]:
+    """The triangles (n, 3, 3) of a file, part by part."""
+    if form == "COLLADA":
+        yield from _collada(data).triangles()
+    elif form == "OBJ":
+        corners, faces = _obj_parts(data)
+        rows = [[int(corner.split(b"/")[0]) for corner in face.split()] for face in faces]
+        numbers = [number - 1 if number > 0 else number for row in rows for number in row]
+        yield corners[_fans(list(map(len, rows)), numbers)]
+    elif form == "GLB":
+        length = int.from_bytes(data[12:16], "little")
+        yield from _gltf_triangles(json.loads(data[20 : 20 + length]), data[28 + length :])
+    elif form == "STL":
+        is_binary = _is_binary_stl(data, "STL")
+        corners = _stl_corners(data, (len(data) - 84) // 50) if is_binary else _text_stl_corners(data)
+        yield corners[: len(corners) // 3 * 3].reshape(-1, 3, 3)
+
+
 # Kept from run to run
 
 
 _SLOTS = 0x4000
-"""Files of the cache at most: each mesh has its place, and gives way to another one of the same place."""
+"""Meshes in the cache at most: each has its place, and gives way to another one of the same place."""
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True)
+class _Kept(Generic[_T]):
+    """A measurement that is kept: the end of its files' names, how it is read, and a row of JSON there and back."""
+
+    ending: str
+    read: Callable[[Path, Read], _T]
+    packed: Callable[[_T], list[Any]]
+    unpacked: Callable[[list[Any]], _T]
 
 
 def mesh_at(path: Path, open: Open = open_regular) -> Mesh:
@@ -437,32 +584,49 @@ def mesh_at(path: Path, open: Open = open_regular) -> Mesh:
     ``fault``, and never raises.
     """
     try:
-        with open(path, LIMIT) as stream:
-            status = os.fstat(stream.fileno())
-            key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
-            place = _place(key)
-            found = _kept(place, key)
-            if found is None:
-                found = read_mesh(path, lambda file, limit: read_on(stream, file, limit))
-                if place is not None:
-                    _keep(place, key, found)
+        return _kept_or_read(path, open, _MESH)
     except OSError as error:
         return Mesh("", fault=f"cannot be read: {error.strerror or error}")
-    return found
+
+
+def skin_at(path: Path, open: Open = open_regular) -> Skin | None:
+    """The skin of a mesh file (m), without scale, likewise; None where it is not known."""
+    try:
+        return _kept_or_read(path, open, _SKIN)
+    except OSError:
+        return None
+
+
+def _kept_or_read(path: Path, open: Open, kind: _Kept[_T]) -> _T:
+    with open(path, LIMIT) as stream:
+        status = os.fstat(stream.fileno())
+        key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
+        place = _place(key, kind.ending)
+        try:
+            if place is not None:
+                said, *rest = json.loads(read_regular(place, MEGABYTE))
+                if said == key:
+                    return kind.unpacked(rest)
+        except (OSError, ValueError, TypeError, RecursionError):
+            pass  # nothing is kept, or that of another one
+        found = kind.read(path, lambda file, limit: read_on(stream, file, limit))
+        if place is not None:
+            _keep(place, [key, *kind.packed(found)])
+        return found
 
 
 _EDITION = 3
 """To be counted up whenever files are measured in another way."""
 
 
-def _place(key: str) -> Path | None:
+def _place(key: str, ending: str) -> Path | None:
     folder = cache_folder()
     if folder is None:
         return None
     from zlib import crc32
 
     path = key.split(" ", 1)[1].rpartition(" ")[0].rpartition(" ")[0]
-    return folder / f"{crc32(path.encode('utf-8', 'surrogateescape')) % _SLOTS:04x}.json"
+    return folder / f"{crc32(path.encode('utf-8', 'surrogateescape')) % _SLOTS:04x}{ending}.json"
 
 
 def cache_folder() -> Path | None:
@@ -477,26 +641,35 @@ def cache_folder() -> Path | None:
     return Path(folder, "sdfcheck", "meshes") if os.path.isabs(folder) else None
 
 
-def _kept(place: Path | None, key: str) -> Mesh | None:
-    """The kept content of a mesh; None where nothing is kept, or that of another one."""
-    if place is None:
-        return None
-    try:
-        said, form, low, high, *rest = json.loads(read_regular(place, MEGABYTE))
-        box = Box(tuple(low), tuple(high)) if low else None
-        found = Mesh(form, box, *rest)
-        return found._replace(files=tuple(found.files)) if said == key else None
-    except (OSError, ValueError, TypeError, RecursionError):
-        return None
-
-
-def _keep(place: Path, key: str, mesh: Mesh) -> None:
+def _keep(place: Path, row: list[Any]) -> None:
     """Write it; where that cannot be, the next run measures again."""
-    form, box, *rest = mesh
-    low, high = (box.low, box.high) if box is not None else ((), ())
-    text = json.dumps([key, form, low, high, *rest])
     try:
         os.makedirs(place.parent, exist_ok=True)
-        overwrite(place, text.encode("utf-8", "surrogateescape"), instead=True, lasting=False)
+        overwrite(place, json.dumps(row).encode("utf-8", "surrogateescape"), instead=True, lasting=False)
     except OSError:
         return
+
+
+def _packed_mesh(mesh: Mesh) -> list[Any]:
+    form, box, *rest = mesh
+    return [form, *((box.low, box.high) if box is not None else ((), ())), *rest]
+
+
+def _unpacked_mesh(row: list[Any]) -> Mesh:
+    form, low, high, *rest = row
+    found = Mesh(form, Box(tuple(low), tuple(high)) if low else None, *rest)
+    return found._replace(files=tuple(found.files))
+
+
+def _packed_skin(skin: Skin | None) -> list[Any]:
+    return [] if skin is None else skin.packed()
+
+
+def _unpacked_skin(row: list[Any]) -> Skin | None:
+    from sdfcheck.bodies.solid import unpacked
+
+    return unpacked(*row) if row else None
+
+
+_MESH = _Kept("", read_mesh, _packed_mesh, _unpacked_mesh)
+_SKIN = _Kept("-skin", read_skin, _packed_skin, _unpacked_skin)

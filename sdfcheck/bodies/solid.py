@@ -1,18 +1,27 @@
-"""Volume, center, inertia and closedness of meshes, measured by trimesh (the extra ``mesh``)."""
+"""Bodies as solids and as surfaces.
+
+Volume, center, inertia and closedness of meshes are measured by trimesh (the extra ``mesh``). A skin has points all
+over a surface: it says how far two bodies are apart, and how much of one lies in the other. Bodies may be open, turned
+inside out or made of many parts: whether a point is inside is asked of the solid angle around it.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
 
 from sdfcheck.files.regular import MEGABYTE
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
+
+    Array: TypeAlias = npt.NDArray[np.float64]
 
 FORMATS = frozenset({"stl", "obj", "dae", "glb", "gltf"})
 """Those that simulators read."""
@@ -46,8 +55,6 @@ def solid_of(data: bytes, form: str, scale: Sequence[float], beside: Callable[[s
     ``form`` is one of FORMATS, ``beside`` reads a buffer of glTF by its name. Raises Unmeasured, also where
     trimesh is not installed.
     """
-    import numpy as np
-
     try:
         import trimesh
     except ImportError:
@@ -166,3 +173,177 @@ def _expanded(uses: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> 
             entered.add(name)
             waiting += dict.fromkeys(missing)
     return sum(size for name, size in found.items() if name not in inner)
+
+
+# Surfaces as points.
+
+
+POINTS = 1500
+"""Of a mesh or another shape."""
+_INSIDE, _ASKED = 400, 250
+"""So many points of a body say what is inside of it, and so many of another one are asked."""
+_LEVELS = (100, 400, POINTS)
+_GOLDEN = (0.754877666246693, 0.569840290998053)
+"""Steps that spread points over a square, whatever their number (the plastic constant)."""
+_SIDES = 24
+_BYTE = 255
+"""The bounds have so many steps along each axis, and so have directions."""
+
+
+class Skin(NamedTuple):
+    """Points (n, 3) of a surface (m), its directions outwards (n, 3), and the area (n,) of each (m²)."""
+
+    points: Array
+    normals: Array
+    areas: Array
+
+    def moved(self, pose: Array) -> Skin:
+        """The same in the frame in which its own has this pose (4×4)."""
+        turn = pose[:3, :3].T
+        return Skin(self.points @ turn + pose[:3, 3], self.normals @ turn, self.areas)
+
+    def scaled(self, factors: Sequence[float]) -> Skin:
+        """The same with each coordinate multiplied."""
+        scale = np.array(factors, dtype=float)
+        normals = self.normals * np.prod(scale) / scale
+        stretch = np.linalg.norm(normals, axis=1)
+        return Skin(self.points * scale, normals / stretch[:, None], self.areas * stretch)
+
+    def some(self, count: int) -> Skin:
+        """So many of its points, for all of its surface."""
+        step = max(1, len(self.points) // count)
+        return Skin(self.points[::step], self.normals[::step], self.areas[::step] * step)
+
+    @property
+    def size(self) -> float:
+        """Its greatest length along an axis."""
+        return float(np.ptp(self.points, axis=0).max())
+
+    def distance_to(self, other: Skin, least: float = 0.0) -> float:
+        """How far another surface is away (m), at least; few points show what is not farther than ``least``."""
+        found = self._distance_of_boxes(other)
+        if found > least:
+            return found
+        for count in _LEVELS:
+            found = _gap(self.some(count), other.some(count))
+            if found <= least:
+                break
+        return found
+
+    def _distance_of_boxes(self, other: Skin) -> float:
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        bottom, top = other.points.min(axis=0), other.points.max(axis=0)
+        return float(np.linalg.norm(np.maximum(0, np.maximum(bottom - high, low - top))))
+
+    def packed(self) -> list[str | float]:
+        """Its points and normals in bytes, as text, with its bounds and area."""
+        from base64 import b64encode
+
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        inside = (self.points - low) / np.where(high > low, high - low, 1)
+        rows = np.concatenate((inside * _BYTE, (self.normals + 1) / 2 * _BYTE), axis=1)
+        text = b64encode(np.rint(rows).astype(np.uint8).tobytes()).decode("ascii")
+        return [text, float(self.areas.sum()), *map(float, (*low, *high))]
+
+    def share_in(self, other: Skin) -> float:
+        """The share of its surface that is inside of another body."""
+        points = self.some(_ASKED).points
+        low, high = other.points.min(axis=0), other.points.max(axis=0)
+        near = points[((points > low) & (points < high)).all(axis=1)]
+        if not len(near):
+            return 0.0
+        body = other.some(_INSIDE)
+        cubes = np.maximum(_squares(near, body.points), 1e-18) ** 1.5
+        ahead = (body.points * body.normals).sum(axis=1) - near @ body.normals.T
+        angles = (ahead / cubes) @ body.areas
+        return float((np.abs(angles) > 2 * math.pi).sum()) / len(points)
+
+
+def _squares(points: Array, others: Array) -> Array:
+    """The squares of the distances of all points from all others."""
+    own, theirs = (points**2).sum(axis=1)[:, None], (others**2).sum(axis=1)
+    return np.asarray(np.maximum(own + theirs - 2 * points @ others.T, 0.0))
+
+
+def _gap(mine: Skin, others: Skin) -> float:
+    """The distance of two surfaces (m); each point is a disc, of which the larger one counts."""
+    discs = np.sqrt(np.maximum.outer(mine.areas, others.areas) / math.pi)
+    return float((np.sqrt(_squares(mine.points, others.points)) - discs).min())
+
+
+def unpacked(text: str, area: float, *bounds: float) -> Skin:
+    """The skin that was packed."""
+    from base64 import b64decode
+
+    rows = np.frombuffer(b64decode(text), np.uint8).reshape(-1, 6) / _BYTE
+    low, high = np.array(bounds).reshape(2, 3)
+    normals = rows[:, 3:] * 2 - 1
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    return Skin(low + rows[:, :3] * (high - low), normals, np.full(len(rows), area / len(rows)))
+
+
+def together(skins: Iterable[Skin]) -> Skin | None:
+    """All as one; None of none."""
+    known = list(skins)
+    if not known:
+        return None
+    return Skin(*(np.concatenate(column) for column in zip(*known, strict=True)))
+
+
+def skin_of(triangles: Any) -> Skin | None:
+    """The skin of triangles, shape (n, 3, 3); None where they have no area."""
+    corners = np.asarray(triangles, dtype=float)
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    crosses = np.cross(first, second)
+    doubled = np.linalg.norm(crosses, axis=1)
+    sums = np.cumsum(doubled)
+    if not len(sums) or not 0 < sums[-1] < math.inf:
+        return None
+    number = np.arange(POINTS)
+    chosen = np.searchsorted(sums, (number + 0.5) / POINTS * sums[-1]).clip(max=len(sums) - 1)
+    u, v = ((number * step) % 1.0 for step in _GOLDEN)
+    over = u + v > 1
+    u, v = np.where(over, 1 - u, u)[:, None], np.where(over, 1 - v, v)[:, None]
+    points = corners[chosen, 0] + u * first[chosen] + v * second[chosen]
+    normals = crosses[chosen] / np.maximum(doubled[chosen], 1e-30)[:, None]
+    return Skin(points, normals, np.full(POINTS, sums[-1] / 2 / POINTS))
+
+
+def of_shape(kind: str, size: Sequence[float]) -> Skin | None:
+    """The skin of a box (lengths), sphere (radius), cylinder or capsule (radius, length); None of another shape."""
+    if kind == "box":
+        return skin_of(_BOX * np.array(size))
+    radius, half = size[0], size[-1] / 2
+    turns = np.linspace(-math.pi / 2, math.pi / 2, _SIDES // 2 + 1)
+    round_ = [(radius * math.cos(turn), radius * math.sin(turn)) for turn in turns]
+    profiles = {
+        "sphere": round_,
+        "cylinder": [(0.0, -half), (radius, -half), (radius, half), (0.0, half)],
+        "capsule": [(across, along + math.copysign(half, along)) for across, along in round_],
+    }
+    return skin_of(_turned(profiles[kind])) if kind in profiles else None
+
+
+def _turned(profile: Sequence[tuple[float, float]]) -> Array:
+    """The triangles of what turns about z; the profile has distances from it and heights, upwards."""
+    turns = np.linspace(0, 2 * math.pi, _SIDES + 1)
+    rings = [np.stack((r * np.cos(turns), r * np.sin(turns), np.full(len(turns), z)), 1) for r, z in profile]
+    quads = [(low[:-1], low[1:], high[1:], high[:-1]) for low, high in pairwise(rings)]
+    halves = [np.stack(three, 1) for a, b, c, d in quads for three in ((a, b, c), (a, c, d))]
+    return np.concatenate(halves)
+
+
+def _box() -> Array:
+    """The twelve triangles of a box with edges of length 1."""
+    faces = []
+    for across in range(3):
+        for side in (-0.5, 0.5):
+            square = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])[:: int(2 * side)]
+            corners = np.insert(np.roll(square, 0, axis=1), across, side, axis=1)
+            if across == 1:
+                corners = corners[::-1]
+            faces += [corners[[0, 1, 2]], corners[[0, 2, 3]]]
+    return np.array(faces)
+
+
+_BOX = _box()

@@ -20,7 +20,9 @@ from sdfcheck.consumers.engines import Engine, Limits, is_installed
 from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
-from sdfcheck.lint.kinds import SIMULATED
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.engine import Dispatch, lint_document
+from sdfcheck.lint.kinds import SIMULATED, SimKind
 from sdfcheck.lint.one_file import silence_simulated
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
@@ -32,6 +34,8 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
+_MOVING = frozenset({"GEO", "JNT"})
+"""The families of rules about shapes and joints: of a robot that moves, they say what no simulator notices."""
 
 
 def _simulators(
@@ -98,9 +102,9 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     refuse_broken(document)
     settings = Settings(engines, seconds, Limits(time_limit))
     configured = surroundings.settings_for(file)
-    failing = configured.fail_on
-    rules = (*RuleBook().rules(configured), *SIMULATED)
-    found, silenced = silence_simulated(_findings(document, settings, quiet=quiet), rules, configured, file)
+    failing, book = configured.fail_on, RuleBook()
+    findings = _findings(document, settings, book.dispatch(configured, file), quiet=quiet)
+    found, silenced = silence_simulated(findings, (*book.rules(configured), *SIMULATED), configured, file)
     done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
     for output in wanted:
         write(output, done, color=color, view=view_of(request, failing))
@@ -120,14 +124,19 @@ def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
     return chosen
 
 
-def _findings(document: Document, settings: Settings, *, quiet: bool) -> list[Diagnostic]:
+def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, quiet: bool) -> list[Diagnostic]:
+    """Of the simulation, and of a robot that is loaded, what rules about shapes and joints warn of, without fixes."""
     progress = _Progress(quiet=quiet)
     try:
-        return run(document, settings, progress)
+        found = run(document, settings, progress)
     except MissingEngine as error:
         raise WrongUsage(str(error)) from None
     finally:
         progress.clear()
+    if all(each.code != SimKind.NOT_LOADED.code for each in found):
+        linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
+        found += (each.without_fix for each in linted if each.severity is not Severity.INFO)
+    return sorted(found, key=lambda one: one.sort_key)
 
 
 class _Progress:

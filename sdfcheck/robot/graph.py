@@ -55,9 +55,11 @@ if TYPE_CHECKING:
     from collections.abc import Collection
 
     from sdfcheck.bodies.box import Box
+    from sdfcheck.bodies.solid import Skin
     from sdfcheck.formats.plugins import Naming, PluginFacts
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
+    from sdfcheck.robot.motion.mechanism import Reach
     from sdfcheck.robot.motion.origin import Triple
     from sdfcheck.robot.motion.poses import Array, Pose
     from sdfcheck.source.text import Span
@@ -367,6 +369,44 @@ class Link(Node):
     def at_rest(self) -> Origin | None:
         """Its pose in its robot of URDF with all joints at zero, in plain numbers; None where that is not known."""
         return self.model.poses_at_rest.get(self)
+
+    @lazy
+    def skin(self) -> Skin | None:
+        """The surface of its visuals, or else of its collisions, in its robot of URDF at rest; None if not known."""
+        from sdfcheck.robot.motion.mechanism import placed
+
+        frame = self.at_rest
+        if frame is None or self.document.kind is Kind.XACRO or self.is_unfinished:
+            return None
+        try:
+            return placed(
+                (shape.geometry.skin, frame.followed_by(_placement_in(shape, self)))
+                for shape in self.visuals or self.collisions
+            )
+        except DescriptionError:
+            return None
+
+    @lazy
+    def look(self) -> tuple[object, ...]:
+        """Its meshes and where they are in it; the same for links that are made of the same part."""
+        return tuple(
+            (shape.geometry.uri, tuple(shape.geometry.scale), shape.position, shape.along)
+            for shape in self.shapes
+            if shape.geometry.shape == "mesh"
+        )
+
+    @lazy
+    def rigid_group(self) -> tuple[Link, ...]:
+        """The link and those that fixed joints tie to it."""
+        found, waiting = {self: None}, [self]
+        while waiting:
+            at = waiting.pop()
+            fixed = (joint for joint in (*at.parent_joints, *at.child_joints) if joint.is_fixed)
+            for other in (end for joint in fixed for end in (joint.parent_link, joint.child_link)):
+                if other is not None and other not in found:
+                    found[other] = None
+                    waiting.append(other)
+        return tuple(found)
 
     def _around_all(self, shapes: tuple[Shape, ...]) -> Box | None:
         """The box around shapes that are all known; None where xacro may add more."""
@@ -1061,10 +1101,47 @@ class Joint(Node):
         return tuple(joint for joint in joints if joint is not self and without_sides(joint.name) == key)
 
     @property
+    def twins(self) -> tuple[Joint, ...]:
+        """The other joints of its type that carry the same meshes, at the same places in their links."""
+        key = _twin_key(self)
+        if self.model is None or key is None:
+            return ()
+        return tuple(joint for joint in self.model.twins.get(key, ()) if joint is not self)
+
+    @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
         name = mirrored(self.name)
         return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
+
+    def gap(self, least: float) -> float:
+        """How far all that it carries is from the rest of its robot of URDF at rest (m); 0 if not more than that."""
+        from sdfcheck.robot.motion.mechanism import distance
+
+        child, parent, model = self.child_link, self.parent_link, self.model
+        if child is None or parent is None or model is None:
+            return 0.0
+        below = dict.fromkeys((child, *child.below()))
+        rest = (parent, *(link for link in model.links if link not in below and link is not parent))
+        carried, others = ([link.skin for link in links if link.shapes] for links in (below, rest))
+        mine, theirs = ([skin for skin in skins if skin is not None] for skins in (carried, others))
+        is_known = parent not in below and len(mine) + len(theirs) == len(carried) + len(others)
+        return distance(mine, theirs, least) if is_known else 0.0
+
+    @lazy
+    def reach(self) -> Reach | None:
+        """How far it moves its part into its parent within its limits; None where that is not known."""
+        from sdfcheck.robot.motion.mechanism import joined, reach
+
+        child, parent = self.child_link, self.parent_link
+        if child is None or parent is None or self.at_rest is None or self.direction is None:
+            return None
+        part, base = (
+            joined(each.skin for each in link.rigid_group if each.shapes) for link in (child, parent)
+        )
+        if part is None or base is None:
+            return None
+        return reach(part, base, self.type, self.at_rest.position, self.direction, self.axis.limit.range)
 
     @property
     def driver(self) -> Part | None:
@@ -1141,6 +1218,11 @@ def _at_rest(joint: Joint) -> Origin | None:
     parent = joint.parent_link
     frame = Origin() if parent is None else joint.model.poses_at_rest.get(parent)
     return None if frame is None else frame.followed_by(origin_in(joint.element))
+
+
+def _twin_key(joint: Joint) -> tuple[object, ...] | None:
+    link = joint.child_link
+    return (joint.type, link.look) if joint.moves and link is not None and link.look else None
 
 
 def _links_at_rest(model: Model) -> dict[Link, Origin]:
@@ -2766,6 +2848,15 @@ class Model(Scope):
     def poses_at_rest(self) -> dict[Link, Origin]:
         """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
         return _links_at_rest(self)
+
+    @lazy
+    def twins(self) -> dict[object, list[Joint]]:
+        """Its joints by what they carry."""
+        found: dict[object, list[Joint]] = {}
+        for joint in self.joints:
+            if (key := _twin_key(joint)) is not None:
+                found.setdefault(key, []).append(joint)
+        return found
 
     @lazy
     def drivers(self) -> dict[Joint, Part]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from sdfcheck.bodies.box import Box
 from sdfcheck.formats.urdf.findings import COLORS_OF_SDFORMAT
@@ -12,12 +12,17 @@ from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import Number, Vector, lazy
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
-    from sdfcheck.bodies.mesh import Mesh
+    from sdfcheck.bodies.mesh import Mesh, Open
+    from sdfcheck.bodies.solid import Skin
     from sdfcheck.robot.motion.poses import Array
     from sdfcheck.robot.solids import Solid
     from sdfcheck.source.document import Element, Value
+
+
+Measured = TypeVar("Measured")
 
 
 # Materials: colors and textures.
@@ -170,16 +175,35 @@ class Geometry(Part):
     @lazy
     def mesh(self) -> Mesh | None:
         """The content of its mesh file; None without one on this computer, and where only a part of it is meant."""
+        from sdfcheck.bodies.mesh import mesh_at
+
+        return self._measured_by(mesh_at)
+
+    @lazy
+    def skin(self) -> Skin | None:
+        """Points of its surface (m), as it is along its own axes; None where that is not known."""
+        if self.shape == "mesh":
+            from sdfcheck.bodies.mesh import skin_at
+
+            skin, scale = self._measured_by(skin_at), self.scale
+            return skin.scaled(scale) if skin is not None and len(scale) == 3 and all(scale) else None
+        if self.solid is None:
+            return None
+        from sdfcheck.bodies.solid import of_shape
+
+        return of_shape(self.shape, self.measures)
+
+    def _measured_by(self, measure: Callable[[Path, Open], Measured | None]) -> Measured | None:
+        """A measurement of its mesh file; None where it is not there."""
         if self.shape != "mesh" or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
             return None
-        from sdfcheck.bodies.mesh import mesh_at
         from sdfcheck.files.library import library_of
         from sdfcheck.files.uris import locate
 
         path, library = locate(self.document, self.uri).path, library_of(self.document)
         if path is None or library is None or not os.path.isfile(path):
             return None
-        return mesh_at(path, lambda file, limit: library.open(file, self.document, limit))
+        return measure(path, lambda file, limit: library.open(file, self.document, limit))
 
     @lazy
     def missing_files(self) -> tuple[str, ...]:

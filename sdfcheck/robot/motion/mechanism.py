@@ -8,12 +8,14 @@ places its links.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from sdfcheck.bodies.solid import Skin, together
 from sdfcheck.robot.motion.mass import MassProperties
+from sdfcheck.robot.motion.origin import Origin, Triple
 from sdfcheck.robot.motion.poses import Array, about_axis, inverse, transform, z_towards
 from sdfcheck.source.document import Element
 from sdfcheck.source.record import NamedTuple
@@ -322,3 +324,79 @@ def _perpendicular(normal: Array) -> tuple[Array, Array]:
     """Two unit vectors that span the plane across a normal: x and y, turned with z the shortest way to it."""
     turned = z_towards(normal)
     return turned[:, 0], turned[:, 1]
+
+
+# Surfaces of parts in the robot's frame, and how they touch.
+
+
+_STEPS = 9
+"""Positions of a joint in its range."""
+_SAME = 0.05
+"""Of the range: limits are as far to both sides if they differ less."""
+
+
+class Reach(NamedTuple):
+    """The largest share of a part that is in the parent of its joint, in the joint's range; and the other way."""
+
+    within: float
+    opposite: float
+
+
+def placed(skins: Iterable[tuple[Skin | None, Origin]]) -> Skin | None:
+    """Skins at their poses as one; None without any, or where one is not known."""
+    known = list(skins)
+    if any(skin is None for skin, _ in known):
+        return None
+    return together(skin.moved(_matrix(pose)) for skin, pose in known if skin is not None)
+
+
+def joined(skins: Iterable[Skin | None]) -> Skin | None:
+    """The same of those that are at their places."""
+    return placed((skin, Origin()) for skin in skins)
+
+
+def distance(skins: Sequence[Skin], others: Sequence[Skin], least: float) -> float:
+    """How far two groups are apart (m); 0 if not farther than ``least``. Best with neighbors first."""
+    found = math.inf
+    for skin in skins:
+        for other in others:
+            apart = skin.distance_to(other, least)
+            if apart <= least:
+                return 0.0
+            found = min(found, apart)
+    return found if found < math.inf else 0.0
+
+
+def reach(
+    part: Skin, parent: Skin, kind: str, place: Triple, direction: Triple, limits: tuple[float, float]
+) -> Reach | None:
+    """How far a joint moves its part into its parent; None where it goes as far to both sides, or without end."""
+    lower, upper = limits
+    if not -math.inf < lower < upper < math.inf or abs(lower + upper) < _SAME * (upper - lower):
+        return None
+    axis, at = np.array(direction), np.array(place)
+    if kind == "revolute":
+        lower, upper = max(lower, -math.pi), min(upper, math.pi)
+    positions = np.linspace(lower, upper, _STEPS)
+    within, opposite = (
+        max(part.moved(_displacement(kind, axis, at, way * each)).share_in(parent) for each in positions)
+        for way in (1, -1)
+    )
+    return Reach(within, opposite)
+
+
+def _matrix(origin: Origin) -> Array:
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = origin.rotation, origin.position
+    return pose
+
+
+def _displacement(kind: str, axis: Array, at: Array, position: float) -> Array:
+    """The motion of a joint's part in the robot's frame, shape (4, 4)."""
+    pose = np.eye(4)
+    if kind == "prismatic":
+        pose[:3, 3] = position * axis
+    else:
+        pose[:3, :3] = about_axis(axis, position)
+        pose[:3, 3] = at - pose[:3, :3] @ at
+    return pose

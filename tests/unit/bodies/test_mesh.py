@@ -1,16 +1,23 @@
-"""Mesh files of every kind: bounds, triangles, and what makes them unreadable."""
+"""Mesh files of every kind: bounds, triangles, surfaces, and what makes them unreadable."""
 
 from __future__ import annotations
 
 import json
+import math
 import os
 import struct
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+import numpy as np
 import pytest
 
 from sdfcheck.bodies.box import Box, around
-from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh
+from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, skin_at
+from sdfcheck.bodies.solid import of_shape, together
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 CORNERS = ((0.0, 0.0, 0.0), (2.0, 0.0, 0.0), (0.0, 3.0, -1.0))
 WEDGE = Box((0.0, 0.0, -1.0), (2.0, 3.0, 0.0))
@@ -253,3 +260,104 @@ def test_the_files_that_a_mesh_names(tmp_path: Path, name: str, text: str, files
     (tmp_path / name).write_bytes(text.encode())
     assert read_mesh(tmp_path / name).files == files
     assert [mesh_at(tmp_path / name).files for _ in range(2)] == [files, files]
+
+
+def filled_glb() -> bytes:
+    """The corners in the binary part, with indices behind them."""
+    corners = struct.pack("<9f", *(number for corner in CORNERS for number in corner))
+    document = {
+        "asset": {"version": "2.0"},
+        "nodes": [{"mesh": 0, "scale": [2, 2, 2]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "count": 3, "min": WEDGE.low, "max": WEDGE.high, "componentType": 5126},
+            {"bufferView": 1, "count": 3, "componentType": 5123},
+        ],
+        "bufferViews": [{"byteLength": 36}, {"byteOffset": 36, "byteLength": 6}],
+    }
+    head = json.dumps(document).encode()
+    head += b" " * (-len(head) % 4)
+    binary = corners + struct.pack("<3H", 0, 1, 2)
+    chunks = (
+        struct.pack("<I", len(head)) + b"JSON" + head + struct.pack("<I", len(binary)) + b"BIN\0" + binary
+    )
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
+OBJ = "".join(f"v {x} {y} {z}\n" for x, y, z in CORNERS).encode()
+UNIT = '<unit meter="0.5"/>'
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "scale"),
+    [
+        ("a.stl", binary_stl(), 1.0),
+        ("a.stl", text_stl(), 1.0),
+        ("a.obj", OBJ + b"f 1/1 2/2 -1\n", 1.0),
+        ("a.obj", OBJ + b"v 0 3 -1\nf 1 2 3 4\n", 1.0),
+        ("a.dae", collada(), 1.0),
+        ("a.dae", collada(polygons="polylist", unit=UNIT), 0.5),
+        ("a.dae", collada(polygons="polygons", node="<scale>3 3 3</scale>"), 3.0),
+        ("a.glb", filled_glb(), 2.0),
+    ],
+)
+def test_a_skin_has_points_on_the_triangles(tmp_path: Path, name: str, data: bytes, scale: float) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    first, kept = skin_at(path), skin_at(path)
+    assert first is not None
+    assert kept is not None
+    triangle = np.array(CORNERS) * scale
+    normal = np.cross(triangle[1], triangle[2])
+    assert np.allclose(first.points @ normal, 0, atol=1e-5)
+    assert np.allclose(np.abs(first.normals @ normal), np.linalg.norm(normal), rtol=1e-5)
+    copies = round(first.areas.sum() / (np.linalg.norm(normal) / 2))
+    assert copies == (2 if data == text_stl() else 1)
+    assert np.abs(kept.points - first.points).max() < 0.01 * scale
+    assert kept.areas.sum() == pytest.approx(first.areas.sum())
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [("a.obj", OBJ + b"f 1 2 9\n"), ("a.glb", filled_glb()[:-4]), ("a.dae", b"<COLLADA"), ("a.stl", b"")],
+)
+def test_a_mesh_without_triangles_has_no_skin(tmp_path: Path, name: str, data: bytes) -> None:
+    path = tmp_path / name
+    path.write_bytes(data)
+    assert skin_at(path) is None
+    assert skin_at(tmp_path / "missing.stl") is None
+
+
+def moved(x: float) -> npt.NDArray[np.float64]:
+    pose = np.eye(4)
+    pose[0, 3] = x
+    return pose
+
+
+@pytest.mark.parametrize(
+    ("kind", "size", "area"),
+    [
+        ("box", (1, 1, 1), 6),
+        ("sphere", (0.5,), math.pi),
+        ("cylinder", (0.5, 1), 1.5 * math.pi),
+        ("capsule", (0.5, 1), 2 * math.pi),
+    ],
+)
+def test_skins_of_shapes_know_what_is_near_and_inside(
+    kind: str, size: tuple[float, ...], area: float
+) -> None:
+    skin, small = of_shape(kind, size), of_shape("sphere", (0.1,))
+    assert skin is not None
+    assert small is not None
+    assert skin.areas.sum() == pytest.approx(area, rel=0.02)
+    assert small.share_in(skin) == 1
+    assert skin.share_in(small) == 0
+    assert small.scaled((-1, 1, 1)).moved(moved(0.2)).share_in(skin) == 1
+    assert 0.2 < small.moved(moved(0.5)).share_in(skin) < 0.8
+    assert skin.distance_to(small.moved(moved(0.6)), 0.05) <= 0.05
+    assert skin.distance_to(small.moved(moved(0.9))) == pytest.approx(0.3, abs=0.06)
+
+
+def test_other_shapes_have_no_skin() -> None:
+    assert of_shape("plane", (1, 1)) is None
+    assert together([]) is None
