@@ -174,7 +174,7 @@ def _children(place: Spot, version: Version) -> Iterator[Item]:
         found = _item(name, Spot(child, place.definition), rank, detail, is_old)
         yield found._replace(is_repeatable=not child.single)
     for name in ("plugin", "sensor", "light") if place.is_block else ():
-        yield _item(name, spot(["robot", "gazebo", name], version), 2)
+        yield _item(name, spot(["robot", "gazebo", name], version), 2)._replace(is_repeatable=True)
 
 
 def _attributes(element: Definition, given: set[str], detail: str = "") -> Iterator[Item]:
@@ -1209,10 +1209,15 @@ class _Completer:
         # Elsewhere than in robots and macros, elements of the format are likelier, as long as nothing is typed.
         share = 1.0 if self.where.typed or self.where.around[-1:] in {("robot",), ("xacro:macro",)} else 0.1
         near = words_in(" ".join([*self.usage.before[-1:], *self.usage.after[:1]]))
+        files = _INCLUDED.findall(self.buffer.source.text, max(0, self.offset - 1000), self.offset)
+        is_after = self.usage.before[-1:] == ["xacro:include"]
+        file = words_in(files[-1].rpartition("/")[2]) if files and is_after else set[str]()
         for name in macros:
             own = words_in(name)
             alike = len(own & near) / max(1, len(own | near))
-            yield name, scores[name] + share * (0.4 * (name in new) / max(1, len(new)) + 0.1 * alike)
+            included = len(own & file) / max(1, len(own))
+            rest = 0.4 * (name in new) / max(1, len(new)) + 0.1 * alike
+            yield name, scores[name] + share * (included + rest)
         opening = self.buffer.source.text.rfind("<", 0, self.offset)
         is_other = self.buffer.source.text[:opening].rstrip().endswith("</xacro:if>")
         for name, often in _KEYWORDS.items():
@@ -1283,6 +1288,7 @@ class _Completer:
         near = [*named[:-4:-1], self.buffer.path.name]
         head = typed.rpartition("/")[0]
         used = [each for each in (*before, *after) if each.startswith(head)]
+        ends = {os.path.splitext(each)[1] for each in before[:1]}
         items, scores = list(files), dict[str, float]()
         for item in items:
             own = words_in(item.label[len(head) :])
@@ -1291,6 +1297,7 @@ class _Completer:
             scores[item.label] = (
                 2 * max(likeness, default=0.0) + (item.label in before[:1]) - (item.label in used)
             )
+            scores[item.label] += os.path.splitext(item.label)[1] in ends
         return _ordered(items, scores)
 
     def _blocks(self) -> Iterator[Item]:

@@ -185,6 +185,37 @@ def test_names_that_are_defined_twice_or_last(editor: Editor, tmp_path: Path, ma
     assert path.exists()
 
 
+IN_EXPRESSIONS = """\
+  <xacro:arg name="side" default="left"/>
+  <link name="a"><visual><geometry><box size="${'$(arg side)' == 'left'} ${xacro.arg('side') == ''} 1"/></geometry>
+  </visual></link><xacro:if value="$(arg side)"/>
+"""
+
+
+def test_arguments_within_expressions(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, robot=IN_EXPRESSIONS)
+    for mark in ("side)'", "side')", 'side" default', 'side)"'):
+        buffer = editor.open(path, path.read_text())
+        place = editor.place(buffer, buffer.source.text.index(mark) + 2)
+        context = types.ReferenceContext(True)
+        found = editor.answers.references(buffer, types.ReferenceParams(context, **place))
+        assert found is not None
+        assert len(found) == 4
+
+
+@pytest.mark.parametrize(("name", "after"), [("${side}_wheel", "${side}_disk"), ("wheel", "disk")])
+def test_parameters_of_plugins_name_parts(editor: Editor, tmp_path: Path, name: str, after: str) -> None:
+    inside = f"<wheel_link>{name}</wheel_link><frame>odom</frame>"
+    plugin = f'<gazebo><plugin name="p" filename="x.so">{inside}</plugin></gazebo>'
+    macro = f'<xacro:macro name="m" params="side"><link name="{name}"/>{plugin}</xacro:macro>'
+    path = written(tmp_path, robot=f'{macro}<xacro:m side="left"/>')
+    new = "_disk" if "$" in name else "disk"
+    assert renamed(editor, path, f"{name}</wheel_link>", len(name) - 1, new) == {"robot.xacro": [after] * 2}
+    buffer = editor.open(path, path.read_text())
+    place = editor.place(buffer, buffer.source.text.index("odom") + 1)
+    assert editor.answers.prepared(buffer, types.PrepareRenameParams(**place)) is None
+
+
 def test_a_name_in_two_robots_that_include_one_file(editor: Editor, tmp_path: Path) -> None:
     written(tmp_path, common='<xacro:property name="size" value="1"/>')
     use = '<xacro:include filename="common.xacro"/><xacro:property name="size" value="{}"/><link name="${{size}}"/>'
@@ -479,6 +510,8 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
         ),
         ('<xacro:macro name="m" params="a"><link name="l"/><|</xacro:macro>', "joint"),
         ("""<xacro:if value="${'$(arg |)' == 'left'}"/>""", "side"),
+        ('<gazebo><plugin name="p" filename="a.so"/><|</gazebo>', "plugin"),
+        ('<xacro:include filename="other.xacro"/><xacro:include filename="hub.xacro"/><|', "xacro:hub"),
         ('<xacro:include filename="$(find |)/a.xacro"/>', "found_elsewhere"),
         (
             '<gazebo><plugin filename="|" name="gz::sim::systems::JointStatePublisher"/></gazebo>',
