@@ -78,6 +78,13 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
     tag, attribute = context.tag, context.attribute
     if tag == "plugin" and attribute == "filename":
         yield from (Item(name, Sort.FILE, name, detail="Gazebo") for name in plugins.systems())
+        files = (f"lib{name}.so" for name in plugins.ros_files())
+        yield from (Item(name, Sort.FILE, name, detail="Gazebo Classic", rank=6) for name in files)
+        return
+    if tag == "sdf" and attribute == "version":
+        yield from (
+            Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
+        )
         return
     yield from (_of_control(context) if "ros2_control" in context.around else ()) or _of_format(
         context, version
@@ -86,10 +93,6 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
         slots = slots_at(tag, attribute, vendors)
         for choice in dict.fromkeys(choice for slot in slots for choice in slot.choices):
             yield Item(choice, Sort.CHOICE, choice, rank=2)
-    if tag == "sdf" and attribute == "version":
-        yield from (
-            Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
-        )
 
 
 def _of_control(context: Context) -> list[Item]:
@@ -141,7 +144,9 @@ _MACRO_TAG = re.compile(
 )
 
 
+_VERSION = re.compile(r"<sdf\b[^<>]*?\bversion\s*=\s*[\"']([^\"']*)[\"']")
 _PARAMETERS = re.compile(r"\sparams\s*=\s*([\"'])(.*?)\1", re.DOTALL)
+_FOUND = re.compile(r"\$\(find\s+([^\s()$]+)\)")
 _DECLARED = re.compile(r"<xacro:arg\b[^<>]*?\sname\s*=\s*[\"']([\w.-]+)[\"']")
 _INCLUDED = re.compile(r"<xacro:include\b[^<>]*?\sfilename\s*=\s*[\"']([^\"'<>]+)[\"']")
 _PLUGIN = re.compile(r"<plugin\b([^<>]*[^<>/])>(.*?)</plugin", re.DOTALL)
@@ -169,7 +174,7 @@ def _children(place: Spot, version: Version) -> Iterator[Item]:
         found = _item(name, Spot(child, place.definition), rank, detail, is_old)
         yield found._replace(is_repeatable=not child.single)
     for name in ("plugin", "sensor", "light") if place.is_block else ():
-        yield _item(name, spot(["robot", "gazebo", name], version), 2)
+        yield _item(name, spot(["robot", "gazebo", name], version), 2)._replace(is_repeatable=True)
 
 
 def _attributes(element: Definition, given: set[str], detail: str = "") -> Iterator[Item]:
@@ -268,15 +273,33 @@ def _carried(around: tuple[str, ...], given: set[str], vendors: Sequence[Vendor]
                 yield Item(tag.name, Sort.ATTRIBUTE, without_stops(snippet), snippet, table.name, 7)
 
 
-class Plugins:
-    """The elements that plugins hold in the files of a project, by the files of the plugins."""
+class Habits:
+    """The plugins in the files of a project, with the elements that they hold, and the versions of SDFormat."""
 
     def __init__(self, packages: Packages) -> None:
         self._by_file: dict[str, list[tuple[Path, tuple[str, ...]]]] = {}
+        self._written: dict[str, str] = {}
+        """A file, as it is written somewhere."""
+        self._versions: list[tuple[Path, str]] = []
         for suffix in (".sdf", ".world", ".urdf", ".xacro"):
             for path in packages.files(suffix, FILE_LIMIT):
-                for file, names in _held(text_of(path)):
-                    self._by_file.setdefault(file, []).append((path, names))
+                text = text_of(path)
+                version = _VERSION.search(text, 0, 4096)
+                self._versions += [(path, version[1])] if version else []
+                for file, names in _held(text):
+                    self._written.setdefault(plugins.stem(file), file)
+                    self._by_file.setdefault(plugins.stem(file), []).append((path, names))
+
+    def versions(self, path: Path) -> list[str]:
+        """The versions of SDFormat that other files declare, the most usual first."""
+        found = Counter(version for other, version in self._versions if other != path)
+        return [version for version, _ in found.most_common()]
+
+    def others(self, path: Path) -> Iterator[str]:
+        """The files of plugins that other descriptions of the project name."""
+        for file, held in self._by_file.items():
+            if any(other != path for other, _ in held) and "$" not in file:
+                yield self._written[file]
 
     def shares(self, file: str, path: Path, text: str, offset: int) -> dict[str, float]:
         """In how many of the plugins of a file each element is; in an open text all but the one around a place."""
@@ -284,7 +307,7 @@ class Plugins:
             text[: text.rfind("<plugin", 0, offset)],
             text[max(text.find("</plugin", offset), offset) :],
         )
-        own = [names for part in around for each, names in _held(part) if each == file]
+        own = [names for part in around for each, names in _held(part) if plugins.stem(each) == file]
         held = [*own, *(names for other, names in self._by_file.get(file, ()) if other != path)]
         counts = Counter(name for names in held for name in set(names))
         return {name: number / len(held) for name, number in counts.items()}
@@ -299,7 +322,7 @@ def _held(text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
                 names.append(tag["start"])
             depth += bool(tag["start"] and not tag["empty"]) - bool(tag["end"])
         if file is not None:
-            yield plugins.stem(file[1]), tuple(names)
+            yield file[1], tuple(names)
 
 
 def plugin_around(text: str, around: tuple[str, ...], offset: int) -> str:
@@ -361,6 +384,7 @@ class Project:
     def __init__(self, packages: Packages) -> None:
         self.by_file: dict[str, dict[str, tuple[Parameter, ...]]] = {}
         """Name of a file → its macros."""
+        self._found: list[tuple[Path, frozenset[str]]] = []
         found: set[str] = set()
         for path in packages.files(".xacro", FILE_LIMIT):
             text = text_of(path)
@@ -369,7 +393,12 @@ class Project:
                 own = parameters(given[2]) if given is not None else ()
                 self.by_file.setdefault(path.name, {}).setdefault(match[1], tuple(own))
             found.update(_DECLARED.findall(text))
+            self._found.append((path, frozenset(_FOUND.findall(text))))
         self.arguments = frozenset(found)
+
+    def found_by_others(self, path: Path) -> set[str]:
+        """The packages that the other files look for, wherever these are."""
+        return set[str]().union(*(names for other, names in self._found if other != path))
 
     def included(self, text: str) -> Macros:
         """The macros in files with the names of those that a text includes, wherever these are."""
@@ -431,6 +460,10 @@ def xacro_attributes(context: Context, macros: Macros) -> Iterator[Item]:
     else:
         known = macros.get(name) or macros.get(name.rpartition(".")[2]) or ()
         names = [(p.name, 3 if p.is_optional else 1) for p in known if not p.is_block]
+        # Neighbors in calls are neighbors in the definition too.
+        there = [n for n, (each, _) in enumerate(names) if each in given] or [0]
+        order = sorted(range(len(names)), key=lambda n: min(abs(n - each) for each in there))
+        names = [names[n] for n in order]
     for each, rank in names:
         if each not in given:
             snippet = Snippet().attribute(each)
@@ -457,6 +490,10 @@ _CLIMB = 6
 
 def path_items(document: Document, typed: str, tag: str, around: tuple[str, ...]) -> Iterator[Item]:
     """The continuations of a URI that has been typed up to its last slash; each item is the whole URI."""
+    if typed.startswith("file://$("):
+        for item in path_items(document, typed.removeprefix("file://"), tag, around):
+            yield item._replace(label=f"file://{item.label}", text=f"file://{item.text}")
+        return
     holder = tag if tag in _ENDINGS else (around[-2] if len(around) > 1 else "")
     head, slash, _ = typed.rpartition("/")
     if "://" not in typed:
@@ -759,7 +796,7 @@ def _made(workspace: Workspace, document: Document) -> list[Expanded]:
     found: list[Expanded] = []
     if document.kind is Kind.XACRO:
         return expansions(workspace, roots_of(document)[:2], turned=False, lately=True)
-    for robot in robots_about(workspace, document) if document.kind is Kind.SRDF else ():
+    for robot in robots_about(workspace, document, lately=True) if document.kind is Kind.SRDF else ():
         made = expansions(workspace, roots_of(robot), turned=False) if is_made(robot) else [as_written(robot)]
         found += made[:MOST_ASSISTANTS]
     return found
@@ -775,15 +812,22 @@ def _candidates(
     is_written: bool,
 ) -> Iterator[Item]:
     if is_made(document) or document.kind is Kind.SRDF:
-        names: dict[tuple[str, str], None] = {}
-        expanded = [(name, kind) for one in made for kind, name in one.by_name if kind in kinds]
-        if document.kind is Kind.SRDF or not is_written:
-            names.update(dict.fromkeys(expanded))
-        for each in occurrences(document).all:
-            if each.symbol.kind in kinds and not _is_at(each, offset) and not _is_no_block(each):
-                name = each.span.text.strip() if document.kind is Kind.SRDF else each.symbol.name
-                names.setdefault((name, each.symbol.kind))
-        yield from (Item(name, Sort.NAME, name, detail=kind, rank=2) for name, kind in names)
+        is_last = is_written and document.kind is not Kind.SRDF
+        expanded = {
+            (name, kind): 2 if not is_last else 4 if all("$" in row.span.text for row in rows) else 3
+            for one in made
+            for (kind, name), rows in one.by_name.items()
+            if kind in kinds
+        }
+        written = {
+            (each.span.text.strip() if document.kind is Kind.SRDF else each.symbol.name, each.symbol.kind): 2
+            for each in occurrences(document).all
+            if each.symbol.kind in kinds and not _is_at(each, offset) and not _is_no_block(each)
+        }
+        ranks = {**written, **expanded, **written} if is_last else {**expanded, **written}
+        yield from (
+            Item(name, Sort.NAME, name, detail=kind, rank=rank) for (name, kind), rank in ranks.items()
+        )
         return
     scope = _scope(document, context, offset)
     if scope is not None:
@@ -981,11 +1025,11 @@ def _tags(document: Document, kinds: tuple[str, ...]) -> Iterator[Item]:
 # The names and values that can be typed at a place.
 
 
-_VERSION = re.compile(r"<sdf\b[^<>]*?\bversion\s*=\s*[\"']([^\"']*)[\"']")
 _EXPRESSION = re.compile(r"\$\{[^}]*?([^\W\d]\w*)?\Z")
 _SUBSTITUTION = re.compile(r"\$\((?:(arg|find)\s+)?([^\s)]*)\Z")
 _ASKED = re.compile(r"\$\(arg\s+([^\s()$]+)\)")
-_MACRO = re.compile(r"<xacro:macro\b[^<>]*?\sname\s*=\s*[\"']([^\"'<>]+)[\"']|</xacro:macro")
+_NAME = re.compile(r"\sname\s*=\s*([\"'])(.*?)\1")
+_MACRO = re.compile(r"<xacro:macro\b(?P<inside>(?:[^<>\"']|\"[^\"]*\"|'[^']*')*)|</xacro:macro")
 _FILES = frozenset({"uri", "filename", "albedo_map", "normal_map", "metalness_map", "roughness_map"})
 _KINDS = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF, Kind.BROKEN_XML, Kind.EMPTY})
 _KEYWORDS = {
@@ -1094,6 +1138,11 @@ class _Completer:
         return self.workspace.library(self.buffer.path).of_project(self.buffer.path, Project)
 
     @property
+    def habits(self) -> Habits:
+        """The plugins and versions in the other files of the project."""
+        return self.workspace.library(self.buffer.path).of_project(self.buffer.path, Habits)
+
+    @property
     def macros(self) -> Macros:
         """The macros that a file can see, or could if packages were found."""
         return {**self.project.included(self.buffer.source.text), **macros_in(self.visible)}
@@ -1107,9 +1156,7 @@ class _Completer:
             found += element_items(around, self.version, self.vendors)
         plugin = plugin_around(self.buffer.source.text, around, self.offset)
         if plugin:
-            library, path = self.workspace.library(self.buffer.path), self.buffer.path
-            every = library.of_project(path, Plugins)
-            self.held = every.shares(plugin, path, self.buffer.source.text, self.offset)
+            self.held = self.habits.shares(plugin, self.buffer.path, self.buffer.source.text, self.offset)
             self.parameters = [*parameter_items(plugin, self.held)]
             found += self.parameters
         is_known = bool(found)
@@ -1135,20 +1182,23 @@ class _Completer:
             scores |= {f"xacro:{name}": -1.0 for name in self._open_macros()}
         present = {*self.usage.before, *self.usage.after}
         needed = {item.label for item in unique.values() if item.rank == 1 and item.label not in present}
+        styles = set(map(_style, present)) - {""}
         read = {item.label for item in self.parameters} - present
+        read = {name for name in read if not styles or _style(name) in {"", *styles}}
         own = {name: (name in needed) + (name in read) + self.held.get(name, 0.0) for name in scores}
         more = ((name, score + own[name]) for name, score in scores.items())
         return _ordered(unique.values(), dict(more))
 
-    def _open_macros(self) -> list[str]:
-        """The macros that the place is in, which do not call themselves."""
-        found: list[str] = []
-        for name in _MACRO.findall(self.buffer.source.text, 0, self.offset):
-            if name:
-                found.append(name)
+    def _open_macros(self) -> dict[str, tuple[Parameter, ...]]:
+        """The macros that the place is in, which do not call themselves, and their parameters."""
+        found: list[tuple[str, tuple[Parameter, ...]]] = []
+        for macro in _MACRO.finditer(self.buffer.source.text, 0, self.offset):
+            if macro["inside"] is not None:
+                name, given = _NAME.search(macro["inside"]), _PARAMETERS.search(macro["inside"])
+                found.append((name[2] if name else "", tuple(parameters(given[2] if given else ""))))
             elif found:
                 found.pop()
-        return found
+        return dict(found)
 
     def _calls(self, macros: Sequence[str], scores: Mapping[str, float]) -> Iterator[tuple[str, float]]:
         """How likely calls are: rather of macros that nobody calls yet, and that are called like their neighbors."""
@@ -1159,10 +1209,15 @@ class _Completer:
         # Elsewhere than in robots and macros, elements of the format are likelier, as long as nothing is typed.
         share = 1.0 if self.where.typed or self.where.around[-1:] in {("robot",), ("xacro:macro",)} else 0.1
         near = words_in(" ".join([*self.usage.before[-1:], *self.usage.after[:1]]))
+        files = _INCLUDED.findall(self.buffer.source.text, max(0, self.offset - 1000), self.offset)
+        is_after = self.usage.before[-1:] == ["xacro:include"]
+        file = words_in(files[-1].rpartition("/")[2]) if files and is_after else set[str]()
         for name in macros:
             own = words_in(name)
             alike = len(own & near) / max(1, len(own | near))
-            yield name, scores[name] + share * (0.4 * (name in new) / max(1, len(new)) + 0.1 * alike)
+            included = len(own & file) / max(1, len(own))
+            rest = 0.4 * (name in new) / max(1, len(new)) + 0.1 * alike
+            yield name, scores[name] + share * (included + rest)
         opening = self.buffer.source.text.rfind("<", 0, self.offset)
         is_other = self.buffer.source.text[:opening].rstrip().endswith("</xacro:if>")
         for name, often in _KEYWORDS.items():
@@ -1203,9 +1258,13 @@ class _Completer:
         if last and last[0] in labels[:-1]:  # words that are written one after the other
             scores[labels[labels.index(last[0]) + 1]] += 1
         near = words_in(" ".join(value for _, value in where.given))
-        scores = {
-            name: score + bool(words_in(name) and words_in(name) <= near) for name, score in scores.items()
-        }
+        own = plugins.file_of_class(dict(where.given).get("name", "")) if place == "plugin@filename" else None
+        for n, version in enumerate(self.habits.versions(self.buffer.path) if place == "sdf@version" else ()):
+            scores[version] = scores.get(version, 0.0) + 1 / (1 + n)
+        for name in scores:
+            words = words_in(name)
+            scores[name] += len(words & near) / len(words) if words else 0.0
+            scores[name] += 2 * (own is not None and plugins.stem(name) == own)
         found = _ordered(choices, scores)
         kinds = wanted(where, self.dialect, self.vendors)
         is_file = (where.attribute or where.tag) in _FILES and where.tag != "plugin"
@@ -1216,10 +1275,30 @@ class _Completer:
         if self.is_xacro and where.tag == "xacro:insert_block" and where.attribute == "name":
             found += self._blocks()
         if document is not None and is_file:
-            found += path_items(document, where.typed, where.tag, where.around)
+            found += self._alike(path_items(document, where.typed, where.tag, where.around), place)
         if self.is_xacro and where.where is Where.VALUE and "$" not in where.typed:
             found += command_items()
         return found
+
+    def _alike(self, files: Iterable[Item], place: str) -> list[Item]:
+        """Files, those first that are called like what is around, as one that is used next to the place is."""
+        text, typed = self.buffer.source.text, self.where.typed
+        named = [found[2] for found in _NAME.finditer(text, max(0, self.offset - 2000), self.offset)]
+        before, after = self.usage.neighbors(place, self.offset)
+        near = [*named[:-4:-1], self.buffer.path.name]
+        head = typed.rpartition("/")[0]
+        used = [each for each in (*before, *after) if each.startswith(head)]
+        ends = {os.path.splitext(each)[1] for each in before[:1]}
+        items, scores = list(files), dict[str, float]()
+        for item in items:
+            own = words_in(item.label[len(head) :])
+            shares = (len(own & (other := words_in(name))) / max(1, len(own | other)) for name in near)
+            likeness = (share / n for n, share in enumerate(shares, 1))
+            scores[item.label] = (
+                2 * max(likeness, default=0.0) + (item.label in before[:1]) - (item.label in used)
+            )
+            scores[item.label] += os.path.splitext(item.label)[1] in ends
+        return _ordered(items, scores)
 
     def _blocks(self) -> Iterator[Item]:
         """The properties that hold elements."""
@@ -1234,6 +1313,9 @@ class _Completer:
             yield from (
                 Item(word, Sort.CHOICE, word) for word in dict.fromkeys(self.usage.seen_values(place))
             )
+        if place == "plugin@filename":
+            seen = dict.fromkeys([*self.usage.seen_values(place), *self.habits.others(self.buffer.path)])
+            yield from (Item(file, Sort.FILE, file, detail="in this project", rank=4) for file in seen)
         if known and known <= {"true", "false"}:
             if self.usage.has_digits:
                 yield from (Item(word, Sort.CHOICE, word) for word in ("1", "0"))
@@ -1256,26 +1338,31 @@ class _Completer:
         typed = self.where.typed
         if "$" not in typed:
             return None
-        if (found := _EXPRESSION.search(typed)) is not None:
+        if "$(" not in typed[typed.rfind("${") :] and (found := _EXPRESSION.search(typed)) is not None:
             visible = self.visible
-            names = {name for each in visible for name in each.properties | each.parameters if name}
+            own = {one.name.lstrip("*") for macro in self._open_macros().values() for one in macro}
+            names = {name for each in visible for name in each.properties if name}
             word = found[1] or ""
-            items = self._words_of_expressions(names, r"\$\{[^}]*\}", r"[^\W\d]\w*")
+            items = self._words_of_expressions(names | own, own, r"\$\{[^}]*\}", r"[^\W\d]\w*")
             return self._of(items, self.offset - len(word))
         if (found := _SUBSTITUTION.search(typed)) is not None and found[1]:
+            text, path = self.buffer.source.text, self.buffer.path
             if found[1] == "arg":
-                names = {name for each in self.visible for read in each.readings for name in read.arguments}
-                names |= set(_ASKED.findall(self.buffer.source.text)) | self.project.arguments
-                names |= launched_names(self._document)
+                own = {name for each in self.visible for read in each.readings for name in read.arguments}
+                names = {*_ASKED.findall(text), *self.project.arguments, *launched_names(self._document)}
             else:
-                library = self.workspace.library(self.buffer.path)
-                names = set(library.packages(self.buffer.path).names)
-            items = self._words_of_expressions(names, r"\$\([^)]*\)", r"[^\s()$]+")
+                own = set(self.workspace.library(path).packages(path).names)
+                names = {*_FOUND.findall(text), *self.project.found_by_others(path)}
+            items = self._words_of_expressions(names | own, own, r"\$\([^)]*\)", r"[^\s()$]+")
             return self._of(items, self.offset - len(found[2]))
         return None
 
-    def _words_of_expressions(self, names: set[str], expression: str, word: str) -> list[Item]:
-        """Names for an expression: those that expressions nearby use, and that are called like the place."""
+    def _words_of_expressions(self, names: set[str], own: set[str], expression: str, word: str) -> list[Item]:
+        """Names for an expression: those that expressions nearby or in such places use, ``own`` ones, and those that
+        are called like the place.
+        """
+        place = [value for _, value in self.usage.values.get(place_of(self.where), ()) if "$" in value]
+        there = Counter(found for value in place for found in set(re.findall(word, value)))
         text, start = self.buffer.source.text, max(0, self.offset - 4000)
         scores = dict.fromkeys(names, 0.0)
         attribute = self.where.attribute
@@ -1285,6 +1372,7 @@ class _Completer:
         uses = Counter(
             found for match in re.findall(expression, text) for found in set(re.findall(word, match))
         )
+        most = max((uses[name] for name in names), default=0) or 1
         flags = self._flags() if self.where.tag in {"xacro:if", "xacro:unless"} else set()
         for match in re.finditer(expression, text[start : self.offset + 4000]):
             distance = abs(start + match.start() - self.offset)
@@ -1293,9 +1381,11 @@ class _Completer:
                     scores[found] += 20 / (20 + distance)
                     near |= words_in(found) if distance < 300 else set()
         for name in names:
-            own = words_in(name) or {name}
-            scores[name] += 2 * len(own & near) / max(1, len(own)) + (name == attribute)
-            scores[name] += (uses[name] == 0) + 1.5 * name.endswith(f"_{attribute}") + 0.5 * (name in flags)
+            parts = words_in(name) or {name}
+            scores[name] += 2 * len(parts & near) / max(1, len(parts)) + (name == attribute)
+            scores[name] += (name in own) / 2 + 1.5 * there[name] / max(1, len(place))
+            scores[name] += 1.0 if uses[name] == 0 else (uses[name] - 1) / most
+            scores[name] += 1.5 * name.endswith(f"_{attribute}") + 0.5 * (name in flags)
         return _ordered((Item(name, Sort.PROPERTY, name) for name in sorted(names)), scores)
 
     def _flags(self) -> set[str]:
@@ -1308,6 +1398,11 @@ class _Completer:
 def _ordered(items: Iterable[Item], scores: Mapping[str, float]) -> list[Item]:
     """Items, the likeliest first, then by rank."""
     return sorted(items, key=lambda item: (-round(scores.get(item.label, 0.0), 3), item.rank))
+
+
+def _style(name: str) -> str:
+    """How a name of several words is put together; empty where it is of one."""
+    return "snake" if "_" in name else "camel" if name != name.lower() else ""
 
 
 def _end(name: str) -> Item:

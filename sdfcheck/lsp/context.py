@@ -22,6 +22,7 @@ MARKUP = re.compile(
 )
 _ATTRIBUTE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)\"?|'([^']*)'?)")
 _OPEN_VALUE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)|'([^']*))\Z")
+_REST = re.compile(r"[^<>]*")
 _NAME_END = re.compile(r"[\w:.\-]*\Z")
 _SPACING = 65536
 
@@ -51,7 +52,7 @@ class Context(NamedTuple):
     tag: str
     attribute: str
     given: tuple[tuple[str, str], ...]
-    """The attributes of the tag before the cursor."""
+    """The other attributes of the tag, before the cursor and after it."""
     typed: str
     start: int
 
@@ -110,13 +111,14 @@ def context(text: str, offset: int, checkpoints: Checkpoints | None = None) -> C
     assert name
     if name.end() == len(inside):
         return Context(Where.TAG, around, "", "", (), inside, offset - len(inside))
-    return _in_tag(inside, name[0], around, offset)
+    after = _REST.match(text, offset)
+    return _in_tag(inside, name[0], after[0] if after else "", around, offset)
 
 
-def _in_tag(inside: str, tag: str, around: tuple[str, ...], offset: int) -> Context:
-    given = tuple((found[1], found[2] or found[3] or "") for found in _ATTRIBUTE.finditer(inside))
-    value = _OPEN_VALUE.search(inside)
-    if value is not None and _is_open(inside):
+def _in_tag(inside: str, tag: str, rest: str, around: tuple[str, ...], offset: int) -> Context:
+    value, mark = _OPEN_VALUE.search(inside), _open_quote(inside)
+    given = _given(inside) + _given(rest.partition(mark)[2] if mark else rest)
+    if value is not None and mark:
         typed = value[2] if value[2] is not None else value[3]
         return Context(Where.VALUE, around, tag, value[1], given, typed, offset - len(typed))
     typed_name = _NAME_END.search(inside)
@@ -124,15 +126,19 @@ def _in_tag(inside: str, tag: str, around: tuple[str, ...], offset: int) -> Cont
     return Context(Where.ATTRIBUTE, around, tag, "", given, typed, offset - len(typed))
 
 
-def _is_open(inside: str) -> bool:
-    """Is there a quote without its other half?"""
+def _given(text: str) -> tuple[tuple[str, str], ...]:
+    return tuple((found[1], found[2] or found[3] or "") for found in _ATTRIBUTE.finditer(text))
+
+
+def _open_quote(inside: str) -> str:
+    """The quote without its other half; empty if there is none."""
     mark = ""
     for character in inside:
         if mark:
             mark = "" if character == mark else mark
         elif character in "\"'":
             mark = character
-    return bool(mark)
+    return mark
 
 
 # The items that are offered.
@@ -259,6 +265,8 @@ _FLAGS = (
     "kinematic",
     "enable_wind",
 )
+_HABIT = 20
+"""So many elements in an element say as much about what comes next there as public files do."""
 _TRANSPARENT = frozenset({"xacro:if", "xacro:unless"})
 
 
@@ -332,13 +340,14 @@ class Usage:
         )
         here = _shares(_summed(known))
         there, next_there = (_typed(each, typed) for each in self._usual(dialect, before))
+        trust = 1 / (1 + pairs.total() / _HABIT)  # the more the text itself has, the less others say
         present = set() if self.is_choice else {*self.before, *self.after}
         doubled = {name for first, name in known if first == name}
         found = {}
         for name in names:
             score = following.get(name, 0.0) + here.get(name, 0.0) / 2
             score += leading.get(name, 0.0) / 2 if after else 0.0
-            score += next_there.get(name, 0.0) + there.get(name, 0.0) / 2
+            score += trust * (next_there.get(name, 0.0) + there.get(name, 0.0) / 2)
             if name in present and name not in repeatable and name not in doubled:
                 score -= 4
             found[name] = score

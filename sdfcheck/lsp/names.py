@@ -24,6 +24,7 @@ from sdfcheck.robot.semantics import (
     semantic_names,
     semantics_in,
 )
+from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
@@ -69,12 +70,27 @@ class Expanded:
         self.is_partial = is_partial
         self.name = "" if document.root is None else document.root.attributes.get("name", "").strip()
         """The name of the robot."""
-        self.all = tuple(rows_of(document))
-        self.by_place: dict[Place, list[Occurrence]] = {}
-        self.by_name: dict[Key, list[Occurrence]] = {}
+
+    @lazy
+    def all(self) -> tuple[Occurrence, ...]:
+        """The places that name parts of the robot."""
+        return tuple(rows_of(self.document))
+
+    @lazy
+    def by_place(self) -> dict[Place, list[Occurrence]]:
+        """The same, by place."""
+        found: dict[Place, list[Occurrence]] = {}
         for each in self.all:
-            self.by_place.setdefault(place_of(each.span), []).append(each)
-            self.by_name.setdefault((each.symbol.kind, each.symbol.name), []).append(each)
+            found.setdefault(place_of(each.span), []).append(each)
+        return found
+
+    @lazy
+    def by_name(self) -> dict[Key, list[Occurrence]]:
+        """The same, by what is named."""
+        found: dict[Key, list[Occurrence]] = {}
+        for each in self.all:
+            found.setdefault((each.symbol.kind, each.symbol.name), []).append(each)
+        return found
 
 
 def rows_of(document: Document) -> Iterator[Occurrence]:
@@ -275,8 +291,7 @@ def _described(document: Document) -> list[Document]:
     if document.kind is not Kind.SRDF or document.root is None:
         return []
     semantics = document.view(Semantics)
-    symbols = (each.symbol for each in semantic_names(semantics))
-    wanted = {(each.kind, each.name) for each in symbols if each.kind != "group"}
+    wanted = {(part.kind, part.value.text.strip()) for part in semantics.named}
     wanted -= {("joint", name) for name in (ROOT_JOINT, *semantics.virtual_joints)}
     best: list[Document] = []
     most = _FEWEST * len(wanted)
@@ -405,12 +420,18 @@ def references(workspace: Workspace, document: Document, named: Occurrence) -> l
     return list({place_of(each.span): each for each in found}.values())
 
 
-def _made(workspace: Workspace, roots: Iterable[Document], *, turned: bool = False) -> list[Expanded]:
+def _made(
+    workspace: Workspace, roots: Iterable[Document], *, turned: bool = False, lately: bool = False
+) -> list[Expanded]:
     """Files as they are expanded, or as they are."""
     return [
         one
         for root in roots
-        for one in (expansions(workspace, [root], turned=turned) if is_made(root) else [as_written(root)])
+        for one in (
+            expansions(workspace, [root], turned=turned, lately=lately)
+            if is_made(root)
+            else [as_written(root)]
+        )
     ]
 
 
@@ -432,14 +453,14 @@ def _shared(
 # Semantics and robots
 
 
-def robots_about(workspace: Workspace, document: Document) -> list[Document]:
+def robots_about(workspace: Workspace, document: Document, *, lately: bool = False) -> list[Document]:
     """The robots that SRDF is about: that of a document, or those that it is included in.
 
-    Of a part that nothing includes, the robots of its name.
+    Of a part that nothing includes, the robots of its name. ``lately``: expansions of earlier texts do.
     """
     found: dict[str, Document] = {}
     roots = roots_of(document)
-    made = [one[0].document if (one := _made(workspace, [root])) else root for root in roots]
+    made = [one[0].document if (one := _made(workspace, [root], lately=lately)) else root for root in roots]
     for semantics in made or [document]:
         if semantics.kind is Kind.SRDF and semantics.root is not None:
             for robot in descriptions_for(semantics) or _by_their_names(workspace, semantics):

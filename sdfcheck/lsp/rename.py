@@ -232,7 +232,7 @@ class Spread:
             renamed.update(own)
         kinds = {named.symbol.kind, *(kind for kind, _ in renamed)}
         for element, macro in self._elements():
-            for value, own_kinds, _ in namings(element):
+            for value, own_kinds, *_ in namings(element):
                 span = value.span
                 if (
                     place_of(span) in reached

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from sdfcheck.formats.srdf import references as names_in_srdf
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
+from sdfcheck.robot.naming.references import NAMING
 from sdfcheck.robot.semantics import own_kind
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
@@ -19,7 +20,7 @@ from sdfcheck.xacro.static.definitions import Definitions, Macro, reading
 
 
 _WORD = re.compile(r"'[^']*'|\"[^\"]*\"|(?<![\w.])[^\W\d]\w*")
-_ARGUMENT = re.compile(r"arg\s+(\S+)\s*$")
+_ARGUMENT = re.compile(r"(?:\$\(arg\s+|\bxacro\.arg\(\s*['\"])(?P<name>[^\s()$'\"]+)")
 _NODES = ("link", "frame", "joint", "model")
 _REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
     ("parent", "link"): ("link",),
@@ -49,6 +50,8 @@ class Naming(NamedTuple):
     value: Value
     kinds: tuple[str, ...]
     is_definition: bool
+    is_sure: bool = True
+    """Does it name a part whatever it says? Parameters of plugins do where there is a part of that name."""
 
 
 def namings(element: Element) -> Iterator[Naming]:
@@ -61,6 +64,8 @@ def namings(element: Element) -> Iterator[Naming]:
             yield Naming(value, kinds, False)
     if name in _TEXTS and not element.attributes and element.content and not element.nodes:
         yield Naming(element.own_value, _NODES, False)
+    elif _is_parameter(element):
+        yield Naming(element.own_value, _NODES, False, is_sure=False)
     value = element.attribute("name")
     if value is None or not value.text.strip():
         return
@@ -69,6 +74,12 @@ def namings(element: Element) -> Iterator[Naming]:
         yield Naming(value, (kind,), not _is_reference(element))
     elif name == "material":
         yield Naming(value, ("material",), bool(element.nodes))
+
+
+def _is_parameter(element: Element) -> bool:
+    """Is it a parameter of a plugin, called as if it named a part?"""
+    is_text = element.content and not element.nodes and NAMING.search(element.name)
+    return bool(is_text) and any(each.name == "plugin" for each in element.around)
 
 
 def _is_reference(element: Element) -> bool:
@@ -131,7 +142,7 @@ class Own:
                 symbol = _symbol("argument", value.text, value)
                 self.arguments.setdefault(value.text, []).append(symbol)
             return
-        for value, kinds, is_definition in namings(element):
+        for value, kinds, is_definition, *_ in namings(element):
             if is_definition:
                 self.robot.append((kinds[0], macro, _symbol(kinds[0], value.text.strip(), value)))
 
@@ -293,13 +304,14 @@ def _in_text(span: Span, macro: Element | None, known: Known, *, deep: bool = Tr
     if not deep:
         text = text.partition("<")[0]
     for match in matches(text):
-        if match["command"] is not None:
-            argument = _ARGUMENT.match(match["command"])
-            symbols = known.arguments.get(argument[1]) if argument else None
-            if argument and symbols is not None:
-                start = span.start + match.start("command") + argument.start(1)
-                yield Occurrence(span.source.span(start, start + len(argument[1])), symbols[0])
-        elif match["code"] is not None:
+        is_escaped = match["command"] is None and match["code"] is None
+        for argument in () if is_escaped else _ARGUMENT.finditer(match[0]):  # also within expressions
+            at = span.start + match.start()
+            place = span.source.span(at + argument.start("name"), at + argument.end("name"))
+            symbols = known.arguments.get(place.text)
+            if symbols is not None:
+                yield Occurrence(place, symbols[0])
+        if match["code"] is not None:
             for word in _WORD.finditer(match["code"]):
                 symbol = known.word(word[0], macro)
                 if symbol is not None:
@@ -310,7 +322,8 @@ def _in_text(span: Span, macro: Element | None, known: Known, *, deep: bool = Tr
 def _of_robot(document: Document, known: Known) -> Iterator[Occurrence]:
     """The names of parts of the robot, which are the same where they are written the same way."""
     for element, macro in reading(document).elements:
-        for value, kinds, is_definition in namings(element):
+        for value, kinds, is_definition, is_sure in namings(element):
             text = value.text.strip()
-            symbol = known.part(kinds, text, macro) or _symbol(kinds[0], text, value)
-            yield Occurrence(value.span, symbol, is_definition)
+            symbol = known.part(kinds, text, macro)
+            if symbol is not None or is_sure:
+                yield Occurrence(value.span, symbol or _symbol(kinds[0], text, value), is_definition)

@@ -185,6 +185,37 @@ def test_names_that_are_defined_twice_or_last(editor: Editor, tmp_path: Path, ma
     assert path.exists()
 
 
+IN_EXPRESSIONS = """\
+  <xacro:arg name="side" default="left"/>
+  <link name="a"><visual><geometry><box size="${'$(arg side)' == 'left'} ${xacro.arg('side') == ''} 1"/></geometry>
+  </visual></link><xacro:if value="$(arg side)"/>
+"""
+
+
+def test_arguments_within_expressions(editor: Editor, tmp_path: Path) -> None:
+    path = written(tmp_path, robot=IN_EXPRESSIONS)
+    for mark in ("side)'", "side')", 'side" default', 'side)"'):
+        buffer = editor.open(path, path.read_text())
+        place = editor.place(buffer, buffer.source.text.index(mark) + 2)
+        context = types.ReferenceContext(True)
+        found = editor.answers.references(buffer, types.ReferenceParams(context, **place))
+        assert found is not None
+        assert len(found) == 4
+
+
+@pytest.mark.parametrize(("name", "after"), [("${side}_wheel", "${side}_disk"), ("wheel", "disk")])
+def test_parameters_of_plugins_name_parts(editor: Editor, tmp_path: Path, name: str, after: str) -> None:
+    inside = f"<wheel_link>{name}</wheel_link><frame>odom</frame>"
+    plugin = f'<gazebo><plugin name="p" filename="x.so">{inside}</plugin></gazebo>'
+    macro = f'<xacro:macro name="m" params="side"><link name="{name}"/>{plugin}</xacro:macro>'
+    path = written(tmp_path, robot=f'{macro}<xacro:m side="left"/>')
+    new = "_disk" if "$" in name else "disk"
+    assert renamed(editor, path, f"{name}</wheel_link>", len(name) - 1, new) == {"robot.xacro": [after] * 2}
+    buffer = editor.open(path, path.read_text())
+    place = editor.place(buffer, buffer.source.text.index("odom") + 1)
+    assert editor.answers.prepared(buffer, types.PrepareRenameParams(**place)) is None
+
+
 def test_a_name_in_two_robots_that_include_one_file(editor: Editor, tmp_path: Path) -> None:
     written(tmp_path, common='<xacro:property name="size" value="1"/>')
     use = '<xacro:include filename="common.xacro"/><xacro:property name="size" value="{}"/><link name="${{size}}"/>'
@@ -478,6 +509,26 @@ def test_hover_in_xacro(editor: Editor, tmp_path: Path, text: str, mark: str, ex
             "box",
         ),
         ('<xacro:macro name="m" params="a"><link name="l"/><|</xacro:macro>', "joint"),
+        ("""<xacro:if value="${'$(arg |)' == 'left'}"/>""", "side"),
+        ('<gazebo><plugin name="p" filename="a.so"/><|</gazebo>', "plugin"),
+        ('<xacro:include filename="other.xacro"/><xacro:include filename="hub.xacro"/><|', "xacro:hub"),
+        ('<xacro:include filename="$(find |)/a.xacro"/>', "found_elsewhere"),
+        (
+            '<gazebo><plugin filename="|" name="gz::sim::systems::JointStatePublisher"/></gazebo>',
+            "gz-sim-joint-state-publisher-system",
+        ),
+        ('<gazebo><plugin filename="|" name="wheel_drive"/></gazebo>', "libgazebo_ros_diff_drive.so"),
+        (
+            (
+                '<link name="base"/><xacro:macro name="m" params="a"><link name="${a}l"/><gazebo reference="|"/>'
+                '<gazebo reference="${a}l"/></xacro:macro><xacro:m a="x_"/>'
+            ),
+            "base",
+        ),
+        (
+            '<xacro:macro name="many" params="a:=1 b:=1 c:=1 d:=1 e:=1 f:=1 g:=1 h:=1"/><xacro:many g="2" |/>',
+            "h",
+        ),
     ],
 )
 def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expected: str) -> None:
@@ -486,7 +537,10 @@ def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expecte
         '<xacro:macro name="wheel" params="red"><link name="${red}"/></xacro:macro>'
     )
     (tmp_path / ".git").mkdir()
-    hub = '<xacro:macro name="hub" params="bore"/><xacro:arg name="elsewhere" default=""/>'
+    hub = (
+        '<xacro:macro name="hub" params="bore"/><xacro:arg name="elsewhere" default=""/>'
+        '<xacro:property name="folder" value="$(find found_elsewhere)"/>'
+    )
     (tmp_path / "robot.launch").write_text(
         '<launch><param name="robot" command="xacro robot.xacro launched:=1"/></launch>'
     )
@@ -496,6 +550,53 @@ def test_suggestions_in_xacro(editor: Editor, tmp_path: Path, text: str, expecte
     place = editor.place(buffer, shown.index("|"))
     found = editor.answers.completion(buffer, types.CompletionParams(**place))
     assert expected in [item.label for item in found.items[:5]]
+
+
+def test_expressions_use_the_parameters_around_them(editor: Editor, tmp_path: Path) -> None:
+    text = '<xacro:macro name="one" params="own"><a b="${|}"/></xacro:macro><xacro:macro name="two" params="other"/>'
+    path = written(tmp_path, robot=f'<xacro:property name="mass" value="1"/>{text}')
+    shown = path.read_text()
+    buffer = editor.open(path, shown.replace("|", ""))
+    found = editor.answers.completion(
+        buffer, types.CompletionParams(**editor.place(buffer, shown.index("|")))
+    )
+    assert {item.label for item in found.items} == {"own", "mass"}
+
+
+def test_files_are_suggested_by_the_names_around_them(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "meshes").mkdir()
+    for name in ("elbow", "hand", "knuckle", "shoulder", "thumb", "upper_arm", "wrist"):
+        (tmp_path / "meshes" / f"{name}.stl").touch()
+    text = '<robot name="r"><link name="wrist"><visual><geometry><mesh filename="meshes/|"/></geometry></visual></link>'
+    buffer = editor.open(tmp_path / "r.urdf", text.replace("|", ""))
+    found = complete(editor.workspace, buffer, text.index("|"))
+    assert found.items[0].label == "meshes/wrist.stl"
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    text = text.replace("meshes/", "file://$(find p)/meshes/")
+    buffer = editor.open(tmp_path / "r.urdf.xacro", text.replace("|", ""))
+    found = complete(editor.workspace, buffer, text.index("|"))
+    assert found.items[0].label == "file://$(find p)/meshes/wrist.stl"
+
+
+def test_parameters_of_plugins_are_spelled_as_their_neighbors(editor: Editor, tmp_path: Path) -> None:
+    plugin = '<plugin name="p" filename="libgazebo_ros_diff_drive.so"><left_joint>l</left_joint><|'
+    text = f'<robot name="r"><gazebo>{plugin}</plugin></gazebo></robot>'
+    buffer = editor.open(tmp_path / "r.urdf", text.replace("|", ""))
+    labels = [item.label for item in complete(editor.workspace, buffer, text.index("|")).items]
+    assert all(label == label.lower() for label in labels[:5])
+
+
+def test_versions_are_suggested_as_the_project_has_them(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    text = '<sdf version="|"><world name="w"/></sdf>'
+    for path in (tmp_path / "new.sdf", tmp_path / "other.sdf"):
+        buffer = editor.open(path, text.replace("|", ""))
+        labels = [item.label for item in complete(editor.workspace, buffer, text.index("|")).items]
+        expected = "1.12" if path.stem == "new" else "1.6"
+        assert labels[0] == expected
+        (tmp_path / "old.sdf").write_text(text.replace("|", "1.6"))
+        editor.workspace.close()
+        editor = Editor()
 
 
 def test_a_macro_does_not_call_itself(editor: Editor, tmp_path: Path) -> None:
