@@ -180,8 +180,6 @@ def _expanded(uses: Mapping[str, Sequence[str]], sizes: Mapping[str, float]) -> 
 
 POINTS = 1500
 """Of a mesh or another shape."""
-_INSIDE, _ASKED = 400, 250
-"""So many points of a body say what is inside of it, and so many of another one are asked."""
 _LEVELS = (100, 400, POINTS)
 _GOLDEN = (0.754877666246693, 0.569840290998053)
 """Steps that spread points over a square, whatever their number (the plastic constant)."""
@@ -245,17 +243,17 @@ class Skin(NamedTuple):
         text = b64encode(np.rint(rows).astype(np.uint8).tobytes()).decode("ascii")
         return [text, float(self.areas.sum()), *map(float, (*low, *high))]
 
-    def share_in(self, other: Skin) -> float:
-        """The share of its surface that is inside of another body."""
-        points = self.some(_ASKED).points
+    def share_in(self, other: Skin, least: float = 0.0) -> float:
+        """The share of its surface that is inside of another body; 0 where bounds show that it is ``least`` at most."""
+        points = self.points
         low, high = other.points.min(axis=0), other.points.max(axis=0)
         near = points[((points > low) & (points < high)).all(axis=1)]
-        if not len(near):
+        if len(near) <= least * len(points):
             return 0.0
-        body = other.some(_INSIDE)
-        cubes = np.maximum(_squares(near, body.points), 1e-18) ** 1.5
-        ahead = (body.points * body.normals).sum(axis=1) - near @ body.normals.T
-        angles = (ahead / cubes) @ body.areas
+        squares = np.maximum(_squares(near, other.points), 1e-18)
+        cubes = squares * np.sqrt(squares)
+        ahead = (other.points * other.normals).sum(axis=1) - near @ other.normals.T
+        angles = (ahead / cubes) @ other.areas
         return float((np.abs(angles) > 2 * math.pi).sum()) / len(points)
 
 

@@ -940,6 +940,10 @@ AXES = {
 """Type in SDFormat → the number of axes that the joint moves about or along."""
 
 
+_SAME = 0.05
+"""Of the range: limits are as far to both sides if they differ less."""
+
+
 class Joint(Node):
     """A joint between two links; in URDF also Drake's ``drake:joint``."""
 
@@ -1102,11 +1106,15 @@ class Joint(Node):
 
     @property
     def twins(self) -> tuple[Joint, ...]:
-        """The other joints of its type that carry the same meshes, at the same places in their links."""
+        """The other joints of its type that carry the same meshes, at the same places in their links.
+
+        All are on one parent or each on its own; of two grippers, the fingers of each may be mirrored.
+        """
         key = _twin_key(self)
-        if self.model is None or key is None:
+        all_ = self.model.twins.get(key, ()) if self.model is not None and key is not None else ()
+        if len({joint.parent_link for joint in all_}) not in {1, len(all_)}:
             return ()
-        return tuple(joint for joint in self.model.twins.get(key, ()) if joint is not self)
+        return tuple(joint for joint in all_ if joint is not self)
 
     @property
     def mirror(self) -> Joint | None:
@@ -1130,18 +1138,20 @@ class Joint(Node):
 
     @lazy
     def reach(self) -> Reach | None:
-        """How far it moves its part into its parent within its limits; None where that is not known."""
-        from sdfcheck.robot.motion.mechanism import joined, reach
-
-        child, parent = self.child_link, self.parent_link
+        """How far it moves its part into its parent within its limits; None where it goes as far to both sides."""
+        child, parent, (lower, upper) = self.child_link, self.parent_link, self.axis.limit.range
+        if not -math.inf < lower < upper < math.inf or abs(lower + upper) < _SAME * (upper - lower):
+            return None
         if child is None or parent is None or self.at_rest is None or self.direction is None:
             return None
+        from sdfcheck.robot.motion.mechanism import joined, reach
+
         part, base = (
             joined(each.skin for each in link.rigid_group if each.shapes) for link in (child, parent)
         )
         if part is None or base is None:
             return None
-        return reach(part, base, self.type, self.at_rest.position, self.direction, self.axis.limit.range)
+        return reach(part, base, self.type, self.at_rest.position, self.direction, (lower, upper))
 
     @property
     def driver(self) -> Part | None:

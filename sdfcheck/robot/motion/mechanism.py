@@ -331,8 +331,10 @@ def _perpendicular(normal: Array) -> tuple[Array, Array]:
 
 _STEPS = 9
 """Positions of a joint in its range."""
-_SAME = 0.05
-"""Of the range: limits are as far to both sides if they differ less."""
+_LEAST = 0.15
+"""Of the surface: parts of neighbors that are in one another by less are the rule."""
+_FINENESS = ((60, 120), (250, 400))
+"""So many points of a part are asked, and so many of its parent say what is inside of it: first few, then more."""
 
 
 class Reach(NamedTuple):
@@ -370,19 +372,27 @@ def distance(skins: Sequence[Skin], others: Sequence[Skin], least: float) -> flo
 def reach(
     part: Skin, parent: Skin, kind: str, place: Triple, direction: Triple, limits: tuple[float, float]
 ) -> Reach | None:
-    """How far a joint moves its part into its parent; None where it goes as far to both sides, or without end."""
+    """How far a joint moves its part into its parent within its limits; None where that is little."""
     lower, upper = limits
-    if not -math.inf < lower < upper < math.inf or abs(lower + upper) < _SAME * (upper - lower):
-        return None
     axis, at = np.array(direction), np.array(place)
     if kind == "revolute":
         lower, upper = max(lower, -math.pi), min(upper, math.pi)
     positions = np.linspace(lower, upper, _STEPS)
-    within, opposite = (
-        max(part.moved(_displacement(kind, axis, at, way * each)).share_in(parent) for each in positions)
-        for way in (1, -1)
-    )
-    return Reach(within, opposite)
+
+    def most(part: Skin, parent: Skin, way: int, least: float) -> float:
+        for each in positions:
+            moved = part.moved(_displacement(kind, axis, at, way * each))
+            least = max(least, moved.share_in(parent, least))
+        return least
+
+    found = Reach(0.0, 0.0)
+    for asked, inside in _FINENESS:
+        few = part.some(asked), parent.some(inside)
+        within = most(*few, 1, _LEAST / 2)
+        found = Reach(within, most(*few, -1, 0.0) if within > _LEAST / 2 else within)
+        if found.within - found.opposite < _LEAST / 2:
+            return None
+    return found
 
 
 def _matrix(origin: Origin) -> Array:
