@@ -55,6 +55,22 @@ def near_file(resource: Resource) -> tuple[str | None, bool]:
     return suggest(own, alike), bool(beside)
 
 
+def near_model(include: Include) -> str | None:
+    """The model that is probably meant by one that is not found, among those where it was looked for."""
+    location = include.location
+    if location is None or location.scheme != "model":
+        return None
+    folders = {os.path.dirname(path) for path in location.tried if os.path.basename(path) == location.name}
+    known = {
+        name
+        for folder in folders
+        for name in names_in(folder or os.curdir, ("",))
+        if numbers(name) == numbers(location.name)
+        and os.path.isfile(os.path.join(folder, name, "model.config"))
+    }
+    return include.nearest(location.name, sorted(known))
+
+
 def numbers(name: str) -> list[str]:
     """The numbers in a name: the mesh of the first link was not meant to be that of the second."""
     return [digits.lstrip("0") for digits in re.findall(r"[0-9]+", name)]

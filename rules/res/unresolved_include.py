@@ -13,8 +13,9 @@ from sdfcheck import (
     Rule,
     Severity,
     refuses,
+    write_instead,
 )
-from sdfcheck_rules.res.places import descriptions, looked_for
+from sdfcheck_rules.res.places import descriptions, looked_for, near_model
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 ELSEWHERE = dict.fromkeys(
@@ -74,6 +75,16 @@ class UnresolvedInclude(Rule):
             says="a folder without `model.config`",
         ),
         Bad(
+            "<include><uri>«model://warehuose»</uri></include>",
+            fixed="<include><uri>model://warehouse</uri></include>",
+            unsafe=True,
+            files={
+                "warehouse/model.config": '<model><name>warehouse</name><sdf version="1.12">arm.sdf</sdf></model>',
+                "warehouse/arm.sdf": ARM,
+            },
+            says="model `warehuose` is not on the search path; did you mean `warehouse`?",
+        ),
+        Bad(
             "<include><uri>«model://arm»</uri></include>",
             files={"arm/src/arm.cc": ""},
             says="model `arm` is not on the search path",
@@ -124,6 +135,7 @@ class UnresolvedInclude(Rule):
         severity = Severity.ERROR
         advice: str | None = where
         lacked: Missing | None = None
+        meant: str | None = None
         if location.is_remote:
             severity = Severity.INFO
             advice = "download it, and name the folder of its models in `model-paths` of the configuration"
@@ -139,9 +151,19 @@ class UnresolvedInclude(Rule):
             kind = location.scheme or "model"
             message = f"{kind} `{location.name or text}` is not on the search path{times}"
             severity = Severity.WARNING
-            lacked = Missing(MissingKind(kind), location.name or text, count)
+            meant = near_model(include)
+            lacked = None if meant else Missing(MissingKind(kind), location.name or text, count)
             advice = f"{where}; set `{kind}-paths` in the configuration if it is elsewhere"
         else:
             message = f"`{text}` leads to no file"
-        affects = {} if lacked is None else ELSEWHERE
-        yield self.diagnostic(value, message, severity=severity, help=advice, affects=affects, missing=lacked)
+        affects = ELSEWHERE if lacked is not None or meant else {}
+        yield self.diagnostic(
+            value,
+            message,
+            meant=meant,
+            fix=write_instead(text.replace(location.name, meant, 1), value) if meant else None,
+            severity=severity,
+            help=None if meant else advice,
+            affects=affects,
+            missing=lacked,
+        )
