@@ -23,6 +23,7 @@ MARKUP = re.compile(
 _ATTRIBUTE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)\"?|'([^']*)'?)")
 _OPEN_VALUE = re.compile(r"([^\s=\"'<>/]+)\s*=\s*(?:\"([^\"]*)|'([^']*))\Z")
 _REST = re.compile(r"[^<>]*")
+_AT_CURSOR = re.compile(r"\A[\w:.\-]*\s*=\s*(?:\"[^\"]*\"?|'[^']*'?)")
 _NAME_END = re.compile(r"[\w:.\-]*\Z")
 _SPACING = 65536
 
@@ -117,7 +118,7 @@ def context(text: str, offset: int, checkpoints: Checkpoints | None = None) -> C
 
 def _in_tag(inside: str, tag: str, rest: str, around: tuple[str, ...], offset: int) -> Context:
     value, mark = _OPEN_VALUE.search(inside), _open_quote(inside)
-    given = _given(inside) + _given(rest.partition(mark)[2] if mark else rest)
+    given = _given(inside) + _given(rest.partition(mark)[2] if mark else _AT_CURSOR.sub("", rest))
     if value is not None and mark:
         typed = value[2] if value[2] is not None else value[3]
         return Context(Where.VALUE, around, tag, value[1], given, typed, offset - len(typed))
