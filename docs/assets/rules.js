@@ -1,4 +1,4 @@
-// A field above the tables of rules: rows that do not contain all of its words are hidden, and tables without rows.
+// A field above the tables of rules: rows that do not contain all of its words, as beginnings of words, are hidden, and tables without rows.
 document.addEventListener("DOMContentLoaded", () => {
   const title = document.querySelector("article h1");
   if (title === null || !title.textContent.startsWith("Rules") || document.querySelectorAll("article table").length < 5) {
@@ -26,14 +26,17 @@ document.addEventListener("DOMContentLoaded", () => {
     families.push({ heading: at, parts, rows: [...table.tBodies[0].rows] });
   }
 
+  const plain = (text) => text.toLowerCase().replace(/[^a-z0-9]+/g, " ");
+
   function filter() {
-    const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const words = plain(field.value).split(" ").filter(Boolean);
     let shown = 0;
     for (const { heading, parts, rows } of families) {
       let any = false;
       for (const row of rows) {
-        const text = row.textContent.toLowerCase();
-        row.hidden = !words.every((word) => text.includes(word));
+        // "safe" is not to find "unsafe".
+        const text = ` ${[...row.cells].map((cell) => plain(cell.textContent)).join(" ")}`;
+        row.hidden = !words.every((word) => text.includes(` ${word}`));
         any ||= !row.hidden;
         shown += row.hidden ? 0 : 1;
       }

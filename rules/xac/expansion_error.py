@@ -114,7 +114,9 @@ class ExpansionError(Rule):
         if problem.cause not in {None, problem.span}:
             labels[problem.cause] = "here"
         if kind == "argument" and reason is not None:
-            own["help"] = ""
+            own["help"] = (
+                f"give it a value (`{problem.detail}:=…` after the file), or define it before its first use"
+            )
         elif kind in {"argument", "pattern", "variable", "withheld"} or (
             reason is not None and reason.argument
         ):

@@ -28,7 +28,7 @@ from sdfcheck.cli.parts.terminal import (
 from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.lint.config.settings import GIVEN
 from sdfcheck.lint.parallel import run_in_parallel
-from sdfcheck.lint.session import Options, find, selected
+from sdfcheck.lint.session import Level, Notice, Options, find, selected
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
 
@@ -141,6 +141,15 @@ def lint(**given: Any) -> int:
     return 2 if notifier.failed else exit_code(request, done)
 
 
+def _warn_of_missing_folders(options: Options, notifier: Notifier) -> None:
+    settings = options.configuration.settings_in(Path.cwd())
+    if settings.files and (settings.model_paths or settings.package_paths or settings.packages):
+        from sdfcheck.lint.config.show import missing_folders
+
+        for words in missing_folders(settings):
+            notifier(Notice(Level.WARNING, words))
+
+
 def _request(given: dict[str, Any]) -> Request:
     configuration = given["configuration"].with_given(taken(given))
     fix = given["fix"] or given["fix_only"]
@@ -152,6 +161,7 @@ def _run(request: Request, paths: Sequence[Path], options: Options, notifier: No
     progress = (
         Progress(sys.stderr, width_of(sys.stderr)) if sys.stderr.isatty() and not request.quiet else None
     )
+    _warn_of_missing_folders(options, notifier)
     try:
         return run_in_parallel(paths, options, request.jobs, progress=progress, notify=notifier)
     finally:

@@ -27,11 +27,11 @@ def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: 
         origins = tuple(Origin(*step) for step in document.origins_at(span))
         labels = tuple(_label(document.written(label.span), label.text, span) for label in diagnostic.labels)
         fix = diagnostic.fix
-        moved = diagnostic._replace(
+        kept = diagnostic if fix is None or _holds(fix, document.top) else diagnostic.without_fix
+        moved = kept._replace(
             span=span,
             labels=tuple(label for label in labels if label.span != span),
             origins=diagnostic.origins or origins,
-            fix=fix if fix is not None and _holds(fix, document.top) else None,
         )
         settled.append(_with_values(moved, file))
     return settled
@@ -101,7 +101,7 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
         return first
     same_fix = all(_written(other.fix) == _written(first.fix) for other in others)
     message = f"{first.message} (in {len(group)} expansions)"
-    return first._replace(message=message, fix=first.fix if same_fix else None)
+    return (first if same_fix else first.without_fix)._replace(message=message)
 
 
 def _written(fix: Fix | None) -> object:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -289,7 +289,7 @@ def _without_fixes_of(comments: Sequence[Comment], found: Sequence[Diagnostic]) 
 
 
 def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Directive, str], bool]:
-    """Whether a rule has nothing to look at in the element that a comment is for.
+    """Whether a rule has nothing to look at in the element that a comment is for, nor around it.
 
     Such a comment is for what is still to be written there, or for another version of the file.
     """
@@ -304,11 +304,15 @@ def _idle(document: Document | None, rules: Sequence[RuleFacts]) -> Callable[[Di
             return False
         if facts.explains or not (facts.looks_at or facts.selects) or "Root" in facts.looks_at:
             return False
-        start = bisect_left(document.scan.starts, target.start)
-        end = document.scan.close_ends[start]
+        scan = document.scan
+        end = scan.close_ends[bisect_left(scan.starts, target.start)]
         subjects = Subjects(facts.looks_at, facts.selects, ()).of(document)
-        spans = (span_of(cast("Target", subject)) for subject in subjects)
-        return not any(target.start <= span.start < end for span in spans)
+        starts = (span_of(cast("Target", subject)).start for subject in subjects)
+        # In the element, or around it.
+        return not any(
+            start < end and scan.close_ends[bisect_right(scan.starts, start) - 1] > target.start
+            for start in starts
+        )
 
     return is_idle
 

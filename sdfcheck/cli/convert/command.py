@@ -96,7 +96,7 @@ def targets(request: Request, files: Sequence[Source], suffix: str) -> list[Path
     folder = _folder(request)
     if folder is None:
         if len(files) > 1:
-            raise WrongUsage("several inputs need --output-dir")
+            raise WrongUsage("several inputs need --output-dir; the result of one goes to -o FILE")
         return [request.output_file]
     paths = [file.path if file.data is None else Path(_stem(file.path.name).strip("<>")) for file in files]
     names = [Path(f"{_stem(path.name)}{suffix}") for path in paths]

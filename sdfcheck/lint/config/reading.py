@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import sys
@@ -111,15 +112,16 @@ def _has_nul(value: object) -> bool:
     return any(map(_has_nul, value)) if isinstance(value, list) else isinstance(value, str) and "\0" in value
 
 
-def _mismatch(file: ConfigFile, field: Field, *keys: str) -> WrongUsage:
+def _mismatch(file: ConfigFile, field: Field, *keys: str, rest: str = "") -> WrongUsage:
     where = "`" + "` of `".join(reversed((field.key, *keys))) + "`"
     expected = _EXPECTED[len(keys)].get(field.shape, field.shape)
-    return file.error(f"{where} should be {expected}", field.key, *keys)
+    return file.error(f"{where} should be {expected}{rest}", field.key, *keys)
 
 
 def _strings(file: ConfigFile, field: Field, value: object, *keys: str) -> tuple[str, ...]:
     if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-        raise _mismatch(file, field, *keys)
+        rest = f": write `[{json.dumps(value)}]`" if isinstance(value, str) else ""
+        raise _mismatch(file, field, *keys, rest=rest)
     return tuple(value)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterator, Mapping
 from enum import Enum
@@ -38,6 +39,17 @@ def render(settings: Settings, asked: Mapping[str, object] = MappingProxyType({}
         else:
             lines.append(f"{field.key} = {_toml(value)}{source}")
     return "\n".join((*lines, *tables)) + "\n"
+
+
+def missing_folders(settings: Settings) -> Iterator[str]:
+    """The folders that a configuration names and that are not there, each after its place."""
+    for field in FIELDS:
+        if field.attribute in {"model_paths", "package_paths", "packages"}:
+            for each in getattr(settings, field.attribute):
+                path = each[1] if field.attribute == "packages" else each
+                if not os.path.isdir(path):
+                    place = _source(settings, field).removeprefix("  # ").partition(",")[0]
+                    yield f"{place}: no such folder: {shown(path)}"
 
 
 def _value(settings: Settings, field: Field) -> Any:

@@ -158,3 +158,13 @@ def test_stdin_goes_to_stdout(lint: Shell, monkeypatch: pytest.MonkeyPatch) -> N
 def test_it_goes_alone(lint: Shell, others: tuple[str, ...]) -> None:
     assert lint("--add-ignore", *others) == 2
     assert "--add-ignore goes with neither --fix nor --baseline" in lint.err
+
+
+def test_a_comment_before_a_part_of_what_the_rule_looks_at_is_unused(lint: Shell) -> None:
+    text = (
+        '<robot name="r"><link name="a"><inertial>\n<!-- sdfcheck:ignore[INR001] -->\n<mass value="{}"/>'
+        '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>'
+    )
+    for mass, code in ("-1", 0), ("1", 1):
+        Path("a.urdf").write_text(text.format(mass))
+        assert lint("a.urdf", "--select", "INR001,SUP001") == code

@@ -95,6 +95,12 @@ def test_a_missing_path_is_one_line(shell: Shell) -> None:
     assert shell.lint("gone.sdf").err == "error: no such file or folder: gone.sdf\n"
 
 
+def test_a_missing_folder_of_the_configuration_is_a_warning(shell: Shell) -> None:
+    Path("sdfcheck.toml").write_text('model-paths = ["."]\npackage-paths = ["gone"]\n')
+    outcome = shell("lint", "good.sdf")
+    assert (outcome.code, outcome.err) == (0, "warning: sdfcheck.toml:2: no such folder: gone\n")
+
+
 def test_a_near_miss_is_suggested(shell: Shell) -> None:
     assert "did you mean `odd-flaw`?" in shell.lint("--select", "od-flaw", ".").err
     assert "did you mean `concise`?" in shell.lint("--output-format", "concice", ".").err

@@ -152,6 +152,7 @@ def test_extending_in_a_circle_is_refused(tmp_path: Path) -> None:
         ('\nignroe = ["A"]', ":2: unknown key `ignroe`; did you mean `ignore`?"),
         ("# select\nselect = 3", ":2: `select` should be a list of rule codes, names or families"),
         ("ignore = [3]", ":1: `ignore` should be a list"),
+        ('target = "gazebo"', ':1: `target` should be a list of targets: write `["gazebo"]`'),
         ('respect-gitignore = "yes"', ":1: `respect-gitignore` should be true or false"),
         ('fail-on = "warn"', ":1: `fail-on` should be `error`, `warning` or `info`"),
         ("severity = 3", ":1: `severity` should be a table of severities"),
