@@ -220,7 +220,7 @@ class Library:
         self._unseen: list[Document] = []
         self._roots: dict[Path, Path] = {}
         self._packages: dict[Path, Packages] = {}
-        self._projects: dict[tuple[object, Path], object] = {}
+        self._projects: dict[tuple[object, ...], object] = {}
         self._surroundings: dict[Path, Surroundings] = {}
         self.refused: dict[Path, Path] = {}
         """Files that lie outside of what may be read → a document that refers to them."""
@@ -300,8 +300,11 @@ class Library:
 
     def of_project(self, path: Path, view: Callable[[Packages], T]) -> T:
         """A view of the packages around a file, made once for all files among them."""
-        packages = self.packages(path)
-        key = (view, packages.root)
+        return self.view(self.packages(path), view)
+
+    def view(self, packages: Packages, view: Callable[[Packages], T]) -> T:
+        """A view of packages, made once for their folder."""
+        key = (view, packages.root, packages.is_flat)
         if key not in self._projects:
             self._projects[key] = view(packages)
         return cast("T", self._projects[key])

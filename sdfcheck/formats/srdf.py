@@ -31,13 +31,18 @@ def named_by(attribute: AttributeDefinition) -> str:
 
 
 @cache
+def naming(element: Definition) -> tuple[tuple[str, str], ...]:
+    """The attributes of an element that name something, each with the kind of that."""
+    named = ((attribute.name, named_by(attribute)) for attribute in element.attributes.values())
+    return tuple((name, kind) for name, kind in named if kind)
+
+
+@cache
 def references() -> Mapping[tuple[str, str], str]:
     """Element and attribute → what it names."""
     found: dict[tuple[str, str], str] = {}
     waiting = [srdf()]
     for element in waiting:
         waiting += element.children.values()
-        for attribute in element.attributes.values():
-            if kind := named_by(attribute):
-                found[element.name, attribute.name] = kind
+        found.update(((element.name, name), kind) for name, kind in naming(element))
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import accumulate, islice
 from pathlib import Path
 
@@ -25,12 +25,13 @@ from sdfcheck.robot.semantics import (
     semantics_in,
 )
 from sdfcheck.robot.values import lazy
+from sdfcheck.source import document as documents
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander, Expansion
-from sdfcheck.xacro.language import matches
+from sdfcheck.xacro.language import matches, may_become
 from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
 from sdfcheck.xacro.static.launches import launched_arguments
 from sdfcheck.xacro.static.project import includers
@@ -62,8 +63,15 @@ class Expanded:
     """One expansion of one file: the places that name parts of the robot, and the names that they expand to."""
 
     def __init__(
-        self, root: Document, arguments: Mapping[str, str], document: Document, *, is_partial: bool = False
+        self,
+        root: Document,
+        arguments: Mapping[str, str],
+        document: Document,
+        *,
+        is_partial: bool = False,
+        wanted: Collection[str] | None = None,
     ) -> None:
+        self._wanted = wanted
         self.root = root
         self.arguments = arguments
         self.document = document
@@ -74,7 +82,7 @@ class Expanded:
     @lazy
     def all(self) -> tuple[Occurrence, ...]:
         """The places that name parts of the robot."""
-        return tuple(rows_of(self.document))
+        return tuple(rows_of(self.document, self._wanted))
 
     @lazy
     def by_place(self) -> dict[Place, list[Occurrence]]:
@@ -93,19 +101,21 @@ class Expanded:
         return found
 
 
-def rows_of(document: Document) -> Iterator[Occurrence]:
-    """The places that name parts of the robot in a document without expressions."""
+def rows_of(document: Document, wanted: Collection[str] | None = None) -> Iterator[Occurrence]:
+    """The places that name parts of the robot in a document without expressions; of SRDF those of some names."""
     if document.root is None:
         return
     if document.kind is Kind.SRDF:
         for semantics in semantics_in(document):
-            yield from semantic_names(semantics)
+            yield from semantic_names(semantics, wanted)
     else:
         yield from robot_names(document)
 
 
-def as_written(document: Document) -> Expanded:
-    """A document that is not expanded, in the same form."""
+def as_written(document: Document, wanted: Collection[str] | None = None) -> Expanded:
+    """A document that is not expanded, in the same form; of SRDF the places of some names."""
+    if wanted is not None and document.kind is Kind.SRDF:
+        return Expanded(document, {}, document, wanted=wanted)
     return document.view(_as_written)
 
 
@@ -279,7 +289,7 @@ def descriptions(document: Document) -> list[Known]:
 
 
 def _descriptions(document: Document) -> list[Known]:
-    return [Known([visible_definitions(robot)]) for robot in descriptions_for(document)]
+    return [robot.view(_own_known) for robot in descriptions_for(document)]
 
 
 def descriptions_for(document: Document) -> list[Document]:
@@ -296,7 +306,7 @@ def _described(document: Document) -> list[Document]:
     best: list[Document] = []
     most = _FEWEST * len(wanted)
     for robot in islice(descriptions_of(semantics), MOST_ROBOTS):
-        known = Known([visible_definitions(robot)]) if robot.root is not None else None
+        known = robot.view(_own_known) if robot.root is not None else None
         fitting = sum(known.part((kind,), name, None) is not None for kind, name in wanted) if known else -1
         if fitting > most or (fitting >= most and not best):
             best, most = [robot], fitting
@@ -305,17 +315,23 @@ def _described(document: Document) -> list[Document]:
     return best
 
 
+def _own_known(robot: Document) -> Known:
+    return Known([visible_definitions(robot)])
+
+
 MOST_FILES = 5_000
 """So many files of a project are searched for a name, no more."""
 LARGEST = 16 * MEGABYTE
-MOST_SEMANTICS = 1_000
-"""So many SRDF files of a project are looked at."""
+MOST_SEMANTICS = 100
+"""So many SRDF files that name a part are looked at, no more."""
 MOST_TRIED = 2
 """So many robots are expanded to find the one that SRDF is about."""
 
 IN_XACRO = frozenset({"macro", "property", "parameter", "argument"})
 """The kinds of names that are xacro's own."""
 _ROS = frozenset({Kind.URDF, Kind.SRDF})
+_MADE = re.compile(r"<xacro:|\$[({]")
+_COMPOSED = re.compile(r"[\"']([^\"'<>]*\$[({][^\"<>]*)[\"']")
 _NAMING = frozenset({Kind.SDF, Kind.URDF, Kind.XACRO, Kind.SRDF})
 
 
@@ -369,7 +385,8 @@ def _known_in(document: Document) -> Known:
 
 def is_made(document: Document) -> bool:
     """Is a document to be expanded: a robot, or its semantics, written in xacro?"""
-    return document.kind is Kind.XACRO or (document.kind is Kind.SRDF and "xacro:" in document.source.text)
+    is_srdf = document.kind is Kind.SRDF
+    return document.kind is Kind.XACRO or (is_srdf and _MADE.search(document.source.text) is not None)
 
 
 def occurrences(document: Document) -> Occurrences:
@@ -414,23 +431,32 @@ def references(workspace: Workspace, document: Document, named: Occurrence) -> l
     found = everywhere(workspace, document, named.symbol)
     if named.symbol.kind not in IN_XACRO and (is_made(document) or document.kind in _ROS):
         for root, names, rows in _shared(workspace, document, named):
-            others = robots_about(workspace, root)
-            others += semantics_of(workspace, root, [name for _, name in names]) if not others else []
-            found += [*rows, *_rows(_made(workspace, others), names)]
+            wanted = {name for _, name in names}
+            if any(one.document.kind is Kind.SRDF for one in _made(workspace, [root])):
+                others = robots_about(workspace, root)
+            else:
+                others = [root]
+            others += [each for robot in others for each in semantics_of(workspace, robot, wanted)[0]]
+            found += [*rows, *_rows(_made(workspace, others, wanted=wanted), names)]
     return list({place_of(each.span): each for each in found}.values())
 
 
 def _made(
-    workspace: Workspace, roots: Iterable[Document], *, turned: bool = False, lately: bool = False
+    workspace: Workspace,
+    roots: Iterable[Document],
+    *,
+    turned: bool = False,
+    lately: bool = False,
+    wanted: Collection[str] | None = None,
 ) -> list[Expanded]:
-    """Files as they are expanded, or as they are."""
+    """Files as they are expanded, or as they are; of SRDF that is not expanded the places of some names."""
     return [
         one
         for root in roots
         for one in (
             expansions(workspace, [root], turned=turned, lately=lately)
             if is_made(root)
-            else [as_written(root)]
+            else [as_written(root, wanted)]
         )
     ]
 
@@ -492,25 +518,50 @@ def _no_robots(_: Document) -> list[list[Document]]:
     return []
 
 
-def semantics_of(workspace: Workspace, robot: Document, names: Iterable[str] | None = None) -> list[Document]:
-    """The SRDF files of a project that are about a robot; with names, those that are made or hold one of them."""
-    library = library_of(robot)
-    if library is None:
-        return []
-    packages = library.packages(robot.path)
-    paths = [
-        *packages.files(".srdf", MOST_SEMANTICS),
-        *(path for path in packages.files(".xacro", MOST_SEMANTICS) if ".srdf" in path.name),
-    ]
-    names = None if names is None else list(names)
-    found = []
-    for each in filter(None, (library.document(path, Kind.SRDF) for path in paths)):
-        text = each.source.text
-        if names is None or is_made(each) or any(name in text for name in names):
-            own = robots_about(workspace, each)
-            if any(other.source.real_path == robot.source.real_path for other in own):
-                found.append(each)
-    return found
+def semantics_of(
+    workspace: Workspace, robot: Document, names: Collection[str]
+) -> tuple[list[Document], bool]:
+    """The SRDF files of a project that are about a robot and may name one of some parts of it; are these all?"""
+
+    def may_refer(data: bytes, path: Path) -> bool:
+        text = data.decode("utf-8", "replace")
+        return sniff(data[:HEAD], path) is Kind.SRDF and bool(_MADE.search(text) or may_name(text, names))
+
+    found: list[Document] = []
+    looked_at = 0
+    for path in project_files(workspace, robot.path, fits=may_refer) if names else ():
+        each = _semantics(workspace, path, names)
+        if each is not None:
+            if looked_at == MOST_SEMANTICS:
+                return found, False
+            looked_at += 1
+            about = robots_about(workspace, each)
+            found += [each] if any(one.source.real_path == robot.source.real_path for one in about) else []
+    return found, True
+
+
+def _semantics(workspace: Workspace, path: Path, names: Collection[str]) -> Document | None:
+    """The SRDF document at a path; None if others include it, or nothing that it is made of can name some parts.
+
+    Only SRDF in xacro is kept: a project may have hundreds of other files, each larger than its robot.
+    """
+    data = b"" if workspace.key(path) in workspace.buffers else _read(workspace, path)
+    if data and not _MADE.search(data.decode("utf-8", "replace")):
+        each: Document | None = documents.read(data, path, Kind.SRDF)
+        assert each is not None
+        each.library = workspace.library(path)
+        return each
+    each = workspace.document(path)
+    if each is None or any(".srdf" in one.name for one in includers(each)):
+        return None
+    read = visible_definitions(each).readings
+    return each if any(may_name(one.document.source.text, names) for one in read) else None
+
+
+def may_name(text: str, names: Iterable[str]) -> bool:
+    """Does a text hold one of some names, or an expression that may come to it together with what is around it?"""
+    composed = {match[1] for match in _COMPOSED.finditer(text)}
+    return any(name in text or any(may_become(each, name) for each in composed) for name in names)
 
 
 def names_at(one: Expanded, span: Span) -> list[Key]:
@@ -523,7 +574,8 @@ def names_at(one: Expanded, span: Span) -> list[Key]:
 def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list[Occurrence]:
     """Every place where a symbol is named: in a document, in the file that defines it, and in their project.
 
-    A name that several files define is known by one definition in one of them, and by another in another.
+    A name that several files define is known by one definition in one of them, and by another in another. SRDF that
+    is about the robot is for :func:`semantics_of`.
     """
     documents = list(_documents(workspace, document, symbol))
     groups = [
@@ -542,9 +594,18 @@ def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list
 
 def _documents(workspace: Workspace, document: Document, symbol: Symbol) -> Iterator[Document]:
     seen: set[str] = set()
-    paths = [document.path, symbol.span.source.path]
+    paths = [document.path, symbol.span.source.path, *_parts_naming(document, symbol)]
     wanted = symbol.name.encode("utf-8", "surrogatepass")
-    for path in (*paths, *project_files(workspace, document.path, wanted)):
+    word = re.compile(rb"(?<!\w)%s(?!\w)" % re.escape(wanted))
+
+    def may_refer(data: bytes, path: Path) -> bool:
+        kind = sniff(data[:HEAD], path)
+        if symbol.kind not in IN_XACRO:
+            return kind in _NAMING and kind is not Kind.SRDF
+        is_xacro = kind is Kind.XACRO or (kind is Kind.SRDF and _MADE.search(data.decode("latin-1")))
+        return bool(is_xacro and word.search(data))
+
+    for path in (*paths, *project_files(workspace, document.path, wanted, may_refer)):
         key = workspace.key(path)
         if key in seen:
             continue
@@ -554,10 +615,31 @@ def _documents(workspace: Workspace, document: Document, symbol: Symbol) -> Iter
             yield other
 
 
-def project_files(workspace: Workspace, path: Path, wanted: bytes = b"") -> Iterator[Path]:
+def _parts_naming(document: Document, symbol: Symbol) -> Iterator[Path]:
+    """The files from which the semantics that a document takes part in are made, and which name a symbol."""
+    if document.kind is not Kind.SRDF or not is_made(document) or symbol.kind in IN_XACRO:
+        return
+    word = re.compile(rf"[\"']\s*{re.escape(symbol.name)}\s*[\"']")
+    for root in roots_of(document):
+        for read in visible_definitions(root).readings:
+            if word.search(read.document.source.text):
+                yield read.document.path
+
+
+def is_description(data: bytes, path: Path) -> bool:
+    """Does a file describe a robot, a world or the semantics of a robot?"""
+    return sniff(data[:HEAD], path) in _NAMING
+
+
+def project_files(
+    workspace: Workspace,
+    path: Path,
+    wanted: bytes = b"",
+    fits: Callable[[bytes, Path], bool] = is_description,
+) -> Iterator[Path]:
     """The descriptions of a project that hold some bytes, the open ones first."""
     for buffer in list(workspace.buffers.values()):
-        if wanted in buffer.data:
+        if wanted in buffer.data and fits(buffer.data, buffer.path):
             yield buffer.path
     own = [folder for folder in workspace.folders if path.is_relative_to(folder)]
     if not own and not os.path.exists(path):
@@ -566,9 +648,14 @@ def project_files(workspace: Workspace, path: Path, wanted: bytes = b"") -> Iter
     for file in workspace.listed(places)[:MOST_FILES]:
         if workspace.key(file) in workspace.buffers:
             continue
-        try:
-            data = read_regular(file, LARGEST, workspace.library(file).around(file))
-        except OSError:
-            continue
-        if wanted in data and sniff(data[:HEAD], file) in _NAMING:
+        data = _read(workspace, file)
+        if data and wanted in data and fits(data, file):
             yield file
+
+
+def _read(workspace: Workspace, path: Path) -> bytes:
+    """The content of a file of a project; empty if it cannot be read."""
+    try:
+        return read_regular(path, LARGEST, workspace.library(path).around(path))
+    except OSError:
+        return b""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, zip_longest
 
 from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.names import (
     IN_XACRO,
+    MOST_SEMANTICS,
     Expanded,
     Key,
     Place,
@@ -62,32 +63,42 @@ class Spread:
         self.document = document
         own = roots_of(document)
         robots = robots_about(workspace, document) if document.kind is Kind.SRDF else own
-        about = own if document.kind is Kind.SRDF else []
+        self._about = own if document.kind is Kind.SRDF else []
+        self._robots = _unique(root for each in robots for root in roots_of(each))
         self.others: dict[str, list[Document]] = {}
-        """Real path of a robot → the semantics about it."""
-        for robot in _unique(root for each in robots for root in roots_of(each)):
-            if robot.kind in {Kind.URDF, Kind.XACRO}:
-                self.others[robot.source.real_path] = _unique([*about, *semantics_of(workspace, robot)])
-        self.roots = _unique(chain(own, (root for robot in robots for root in roots_of(robot))))
-        self.is_needed = document.kind in {Kind.XACRO, Kind.SRDF} or any(map(is_made, self._every))
+        """Real path of a robot → the semantics about it that name what changes."""
+        self.roots = _unique([*own, *self._robots])
         self.edits: dict[Place, TextEdit] = {}
         self.all: list[Expanded] = []
         self._names: list[dict[Key, str]] = []
         self._waiting: list[tuple[int, Key]] = []
 
-    @property
-    def _every(self) -> list[Document]:
-        """The robots and the semantics."""
-        return _unique(chain(self.roots, *self.others.values()))
+    def is_needed(self, names: Collection[str]) -> bool:
+        """Do other files than those that are like it have to be known to find all places of some names?"""
+        if self.document.kind in {Kind.XACRO, Kind.SRDF}:
+            return True
+        self._meet(names)
+        return any(self.others.values()) or any(map(is_made, self.roots))
 
-    def _expand(self) -> None:
-        """Expand the robots, and the semantics that are about them."""
-        roots = self._every
+    def _meet(self, names: Collection[str]) -> None:
+        """Find the semantics that name some parts of the robots."""
+        for robot in self._robots:
+            if robot.kind in {Kind.URDF, Kind.XACRO}:
+                own, is_whole = semantics_of(self.workspace, robot, names)
+                if not is_whole:
+                    raise Refused(f"more than {MOST_SEMANTICS} SRDF files may name it, too many to change")
+                self.others[robot.source.real_path] = _unique([*self._about, *own])
+
+    def _expand(self, names: Collection[str]) -> None:
+        """Expand the robots, and the semantics that are about them, to find the places of some names."""
+        self._meet(names)
+        roots = _unique(chain(self.roots, *self.others.values()))
         self.all = [
-            *(as_written(root) for root in roots if not is_made(root)),
+            *(as_written(root, names) for root in roots if not is_made(root)),
             *expansions(self.workspace, [root for root in roots if is_made(root)]),
         ]
         self._names = [{} for _ in self.all]
+        self.edits = {}
 
     # The spread
 
@@ -97,17 +108,14 @@ class Spread:
         Raises:
             Refused: the name is taken or cannot be one, or more than the name would change.
         """
-        self._expand()
-        kind, span = named.symbol.kind, named.span
-        is_open = not named.is_definition and named.symbol.span == span
-        keys = {key for one in self.all for key in names_at(one, span)}
-        rows = (each for one in self.all for key in keys for each in one.by_name.get(key, ()))
-        if is_open and not any(each.is_definition for each in rows):
-            raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
-        self._write(span, text)
-        while self._waiting:
-            number, key = self._waiting.pop()
-            self._everywhere_in(number, key)
+        kind = named.symbol.kind
+        known: set[str] = set()
+        names = {named.symbol.name, named.span.text.strip()}
+        while not names <= known:
+            known |= names
+            self._expand(known)
+            self._follow(named, text)
+            names = {name for own in self._names for _, name in own}
         self._unreached(named)
         edits = [each for each in self.edits.values() if each.span.text != each.text]
         for edit in edits:
@@ -118,6 +126,19 @@ class Spread:
                 raise Refused(reason)
         self.prove(edits, {})
         return edits
+
+    def _follow(self, named: Occurrence, text: str) -> None:
+        """Write another text at the place of a name, and wherever that leads."""
+        kind, span = named.symbol.kind, named.span
+        is_open = not named.is_definition and named.symbol.span == span
+        keys = {key for one in self.all for key in names_at(one, span)}
+        rows = (each for one in self.all for key in keys for each in one.by_name.get(key, ()))
+        if is_open and not any(each.is_definition for each in rows):
+            raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
+        self._write(span, text)
+        while self._waiting:
+            number, key = self._waiting.pop()
+            self._everywhere_in(number, key)
 
     def _names_any(self) -> bool:
         return any(self._names)
@@ -473,7 +494,7 @@ def rename(workspace: Workspace, document: Document, target: Target, name: str) 
     if name == target.shown:
         return []
     spread = Spread(workspace, document)
-    if symbol.kind in IN_XACRO or not spread.is_needed:
+    if symbol.kind in IN_XACRO or not spread.is_needed({symbol.name}):
         edits = _everywhere(workspace, document, symbol, name)
         spread.prove(edits, {symbol.name: name} if symbol.kind == "argument" else {})
         return edits

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import chain
 from operator import itemgetter
 from pathlib import Path
@@ -15,7 +15,7 @@ from sdfcheck.files.packages import Packages
 from sdfcheck.files.regular import read_regular
 from sdfcheck.formats.near_names import nearest
 from sdfcheck.formats.schema import Definition
-from sdfcheck.formats.srdf import named_by, references, srdf
+from sdfcheck.formats.srdf import naming, references, srdf
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, steps
 from sdfcheck.robot.root import root_of
 from sdfcheck.robot.values import lazy
@@ -193,8 +193,8 @@ class Semantics:
         return tuple(
             NamedPart(kind, value)
             for part, definition in self.parts
-            for attribute in definition.attributes.values()
-            if (kind := named_by(attribute)) and (value := part.attribute(attribute.name)) is not None
+            for name, kind in naming(definition)
+            if (value := part.attribute(name)) is not None
         )
 
     @lazy
@@ -378,8 +378,11 @@ def own_kind(element: Element) -> str:
 _KINDS = {"group": "group", "virtual_joint": "joint", "end_effector": "end effector"}
 
 
-def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
-    """Every place that names something, also in elements of others; the parts of the robot have no definition."""
+def semantic_names(semantics: Semantics, wanted: Collection[str] | None = None) -> Iterator[Occurrence]:
+    """Every place that names something, also in elements of others; the parts of the robot have no definition.
+
+    ``wanted``: only the places with one of these names.
+    """
     known: dict[tuple[str, str], Symbol] = {}
     for element in semantics.element.children():
         value, kind = element.attribute("name"), own_kind(element)
@@ -388,9 +391,12 @@ def semantic_names(semantics: Semantics) -> Iterator[Occurrence]:
             yield Occurrence(span, known.setdefault((kind, name), Symbol(kind, name, span)), True)
     named = references()
     for element in semantics.document.elements:
-        for attribute in element.attributes:
-            kind, value = named.get((element.name, attribute), ""), element.attribute(attribute)
-            if not kind or value is None or (attribute == "name" and own_kind(element)):
+        for attribute, text in element.attributes.items():
+            kind = named.get((element.name, attribute), "")
+            if not kind or (wanted is not None and text.strip() not in wanted):
+                continue
+            value = element.attribute(attribute)
+            if value is None or (attribute == "name" and own_kind(element)):
                 continue
             span, name = steps(value)[0][0], value.text.strip()
             symbol = known.get((kind, name))
@@ -621,7 +627,13 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
 
 def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) -> list[Path]:
     """The files that may hold robots, the nearest first."""
-    found = [path for suffix in suffixes for path in packages.files(suffix, MOST_FILES)]
+    library = library_of(document)
+    listed = {} if library is None else library.view(packages, _listed)
+    for suffix in suffixes:
+        if suffix not in listed:
+            files = packages.files(suffix, MOST_FILES)
+            listed[suffix] = [path for path in files if ".srdf" not in path.name]
+    found = [path for suffix in suffixes for path in listed[suffix]]
     own = document.path.absolute().parts
 
     def distance(path: Path) -> tuple[int, str]:
@@ -631,7 +643,12 @@ def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) ->
         )
         return len(own) + len(parts) - 2 * same, path.as_posix()
 
-    return sorted((path for path in found if ".srdf" not in path.name), key=distance)
+    return sorted(found, key=distance)
+
+
+def _listed(_: Packages) -> dict[str, list[Path]]:
+    """Suffix → the files that may hold robots, listed once."""
+    return {}
 
 
 class _Head(NamedTuple):

@@ -392,6 +392,25 @@ def test_every_name_in_semantics_is_defined_somewhere(editor: Editor, robot: Pat
             assert found.uri == (buffer.uri if is_own else robot.as_uri()), value
 
 
+def test_of_many_semantics_those_are_looked_at_that_may_name_a_part(
+    editor: Editor, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("names", "rename"):
+        monkeypatch.setattr(f"sdfcheck.lsp.{module}.MOST_SEMANTICS", 2)
+    (tmp_path / "package.xml").write_text("<package><name>p</name></package>")
+    (tmp_path / "r.urdf").write_text(PLAIN)
+    made = f'{HEAD}<xacro:property name="j" value="el"/><passive_joint name="${{j}}bow"/></robot>'
+    (tmp_path / "made.srdf.xacro").write_text(made)
+    for name in "abc":
+        (tmp_path / f"{name}.srdf").write_text('<robot name="r"><passive_joint name="wrist"/></robot>')
+    (tmp_path / "r.srdf").write_text(SEMANTICS)
+    new = renamed(editor, tmp_path / "r.urdf", 'joint name="elbow"', 14, "elbows")
+    assert new == {"r.urdf": ["elbows"], "r.srdf": ["elbows"] * 3, "made.srdf.xacro": ["${j}bows"]}
+    (tmp_path / "d.srdf").write_text(SEMANTICS)
+    refusal = renamed(editor, tmp_path / "r.urdf", 'joint name="elbow"', 14, "elbows")
+    assert refusal == "more than 2 SRDF files may name it, too many to change"
+
+
 def test_renaming_from_a_robot_to_its_semantics_and_back(editor: Editor, robot: Path) -> None:
     mark = '"${prefix}elbow"' if robot.suffix == ".xacro" else '"elbow"'
     new = "${prefix}knee" if robot.suffix == ".xacro" else "knee"
