@@ -19,6 +19,10 @@ LEAST = 0.01
 NEAR, SHARE = 0.005, 0.05
 """m, and of the length of the link: of 441 parts that joints carry in public robots, by their surfaces, three are
 farther from the rest of its robot."""
+EYE = (
+    f'<link name="eye">{mesh("visual", "arm.obj")}</link><joint name="k" type="fixed"><parent link="base"/>'
+    '<child link="eye"/></joint></robot>'
+)
 
 
 class DetachedLink(Rule):
@@ -54,6 +58,12 @@ class DetachedLink(Rule):
             mesh("visual", "arm.obj"),
             scaffold=ARM.replace("0 0 0.3", "0 0 0.06"),
             files={"arm.obj": wedge(0.3)},
+        ),
+        Good(
+            '<visual><geometry><box size="0.2 0.1 0.04"/></geometry></visual>',
+            scaffold=ARM.replace("0 0 0.3", "0 0 -0.082").replace("</robot>", EYE),
+            files={"arm.obj": wedge(0.3)},
+            why="a plain shape may be smaller than its part",
         ),
         Good(
             mesh("visual", "arm.obj") + mesh("visual", "missing.obj"),
@@ -112,7 +122,7 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
         bound = max(least, MOST * length(link))
         others = [other for other in (joint.parent_link, *drawn) if other is not None and other is not link]
         distance = nearest(link, others, bound)
-        if not bound < distance < inf and model.has_mesh:
+        if not bound < distance < inf and link.has_mesh:
             bound = max(NEAR, SHARE * length(link))
             distance = joint.gap(bound)
         if bound < distance < inf:

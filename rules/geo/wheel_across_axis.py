@@ -47,6 +47,14 @@ class WheelAcrossAxis(Rule):
     good = (
         Good(WHEEL.format("1.5708 0 0", "0.04", "0 1 0")),
         Good(WHEEL.format("0 0 0", "0.4", "0 1 0"), why="longer than wide: no wheel"),
+        Good(
+            WHEEL.format("0 0 0", "0.04", "0 1 0").replace(
+                "</robot>",
+                '<link name="hub"/><joint name="k" type="continuous"><parent link="wheel"/><child link="hub"/>'
+                '<axis xyz="0 0 1"/></joint></robot>',
+            ),
+            why="a ring of a gimbal",
+        ),
         Good(OLD_WHEEL, why="up to 1.4 the axis is in the model's frame, and the wheel is turned in it"),
     )
 
@@ -70,7 +78,7 @@ def alignment(joint: Joint) -> float:
     """The cosine of the angle between the axis of a joint and the wheel that it turns; -1 where there is no wheel."""
     link = joint.child_link if joint.type in {"continuous", "revolute"} else None
     shapes = shapes_of(link) if link is not None else ()
-    if len(shapes) != 1 or shapes[0].geometry.shape != "cylinder":
+    if link is None or len(shapes) != 1 or shapes[0].geometry.shape != "cylinder":
         return -1.0
     own = joint.find("pose")
     if not is_endless(joint) or (own is not None and own.content):
@@ -82,6 +90,9 @@ def alignment(joint: Joint) -> float:
     way, place = shapes[0].along, shapes[0].position
     if way is None or place is None or dist(place, (0, 0, 0)) > 0.6 * radius or axis is None or frame is None:
         return -1.0
+    inner = (each.at_rest for each in link.child_joints if each.moves)
+    if any(rest is not None and dist(rest.position, frame.position) < SMALLEST for rest in inner):
+        return -1.0  # a ring of a gimbal
     return abs(sum(one * other for one, other in zip(frame.turned(way), axis, strict=True)))
 
 

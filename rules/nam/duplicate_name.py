@@ -85,6 +85,11 @@ class DuplicateName(Rule):
             scaffold='<robot name="r">{}</robot>',
             says="there is another sensor `s` in link `a`, with which libsdformat merges this one",
         ),
+        Bad(
+            MERGED.replace('reference="a"', 'reference="b"').replace("{}", "«s»"),
+            scaffold='<robot name="r">{}</robot>',
+            says="there is another sensor `s` in link `b`",
+        ),
     )
     good = (
         Good(MERGED.replace("{}", "t"), scaffold='<robot name="r">{}</robot>'),
@@ -154,7 +159,7 @@ def merged_sensors(root: Root) -> list[tuple[BuiltLink, Sensor, Sensor]]:
         first: dict[str, Sensor] = {}
         for sensor in link.sensors if len(link.members) > 1 else ():
             earlier = first.setdefault(sensor.name, sensor)
-            if sensor.name and earlier.holder is not sensor.holder:
+            if sensor.name and earlier.link is not sensor.link:
                 found.append((link, earlier, sensor))
     return found
 

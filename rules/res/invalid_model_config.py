@@ -161,6 +161,13 @@ class InvalidModelConfig(Rule):
             why="a template that a build fills in",
         ),
         Good(
+            "<model><name>town</name></model>",
+            file=CONFIG,
+            scaffold="{}",
+            files={"town.world": "<sdf version='1.12'/>"},
+            why="the folder of a world",
+        ),
+        Good(
             '<sdf version="1.5">old.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
             file=CONFIG,
             files={"arm.sdf": ARM, "old.sdf": ARM.replace("1.12", "1.5")},

@@ -101,6 +101,12 @@ class MissingAttribute(Rule):
             why="the color is taken",
             scaffold='<robot name="r"><link name="l">{}</link></robot>',
         ),
+        Good(
+            '<visual><geometry><sphere radius="1"/></geometry>'
+            '<material name="m"><color rgba="1 0 0 1"/><texture filename=""/></material></visual>',
+            why="a CAD program writes it so",
+            scaffold='<robot name="r"><link name="l">{}</link></robot>',
+        ),
         Good('<sensor name="s" type="imu"/>'),
         Good('<plugin name="p"/>', why="missing-plugin-attribute owns this one"),
         Good(

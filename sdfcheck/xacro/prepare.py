@@ -47,6 +47,7 @@ _USES = {
     ("ros2_control", "joint"): ("name", "joint"),
 }
 """An element of a robot and one in it: the attribute that names a part, and the kind of that."""
+_ABOUT_LINKS = frozenset({"gazebo", "material", "ros2_control", "transmission"})
 
 
 def is_launched_source(document: Document) -> bool:
@@ -59,11 +60,18 @@ def is_launched_source(document: Document) -> bool:
 
 
 def is_fragment(document: Document) -> bool:
-    """Whether a robot has no links, or names parts that it does not have, and another file includes it."""
+    """Whether a robot only says something about links that it does not have, or another file has what it lacks.
+
+    That file includes it, and has links, parts that it names, or the values of its expressions.
+    """
     root = document.root
-    if root is None or document.kind is not Kind.URDF or (root.has("link") and not lacks_parts(document)):
+    if root is None or document.kind is not Kind.URDF:
         return False
-    return is_included(document)
+    names = {child.name for child in root.children()}
+    if names and names <= _ABOUT_LINKS:
+        return True
+    is_whole = root.has("link") and not lacks_parts(document) and not is_unknown(document.source.text)
+    return not is_whole and is_included(document)
 
 
 def lacks_parts(document: Document) -> bool:

@@ -270,7 +270,8 @@ class UrdfFindings(Findings):
             return  # which a rule looks at
         if not text.strip():
             # Empty names belong to the analysis of names.
-            if known.name != "name" and (known.type in COUNTS or known.required):
+            needed = known.name != "name" and not _is_in_color(element)
+            if needed and (known.type in COUNTS or known.required):
                 self.found.append(problems.MissingAttribute(element, known.name, empty=True))
         else:
             self.judge(value, known)
@@ -280,11 +281,8 @@ class UrdfFindings(Findings):
             meant_attribute(element, key, place) == name for key in element.attributes
         ):
             return
-        parent = element.parent
-        if element.name == "axis" and not _moves(parent):
+        if (element.name == "axis" and not _moves(element.parent)) or _is_in_color(element):
             return
-        if element.name == "texture" and parent is not None and parent.has("color"):
-            return  # the color is taken
         self.stray.add(element)  # its text is where the value was put
         if element.name not in _ASKED_BY_RULES:
             self.found.append(problems.MissingAttribute(element, name, empty=False))
@@ -409,6 +407,11 @@ def _needs(parent: Element, place: Definition, child: str) -> bool:
 def _moves(joint: Element | None) -> bool:
     """Whether urdfdom reads the axis of a joint."""
     return joint is not None and joint.attributes.get("type") not in {"fixed", "floating"}
+
+
+def _is_in_color(element: Element) -> bool:
+    """Whether it is a texture beside a color, which is taken where the texture names no file."""
+    return element.name == "texture" and element.parent is not None and element.parent.has("color")
 
 
 def _is_in_visual(material: Element) -> bool:

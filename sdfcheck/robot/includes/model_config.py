@@ -109,6 +109,8 @@ class ModelConfig:
         if self.element.name != "model":
             return (Misconfiguration(self.element, ConfigFault.NO_MODEL),)
         if not self.entries:
+            if self.name and any(self.document.path.parent.glob("*.world")):
+                return ()  # so that addresses lead to the files of a world
             fault = ConfigFault.NO_FILE if self.name else ConfigFault.NO_NAME_NO_FILE
             return (Misconfiguration(self.element, fault),)
         found = []

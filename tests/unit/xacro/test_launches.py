@@ -335,3 +335,14 @@ def test_an_include_that_an_expansion_passes_is_found(package: Path) -> None:
     launch = MAPPINGS.replace('"side": "right"', '"side": folder + "/urdf"')
     (package / "launch" / "bot.launch.py").write_text(launch)
     assert "XAC001" not in codes(package)
+
+
+def test_parts_in_plain_urdf_are_seen_where_they_are_included(package: Path) -> None:
+    (package / "launch" / "bot.launch").write_text(ROS_1)
+    (package / "urdf" / "colors.urdf").write_text('<robot name="r"><material name="red"/></robot>')
+    (package / "urdf" / "part.urdf").write_text('<robot name="r"><link name="$(arg side)"/></robot>')
+    assert "URD009" in codes(package)
+    (package / "urdf" / "bot.urdf.xacro").write_text(
+        XACRO.replace("</robot>", '<xacro:include filename="part.urdf"/></robot>')
+    )
+    assert "URD009" not in codes(package)
