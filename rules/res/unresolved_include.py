@@ -130,40 +130,39 @@ class UnresolvedInclude(Rule):
         text, value, location = include.uri, include.uri_value, include.location
         if value is None or location is None:
             return
-        where = looked_for(include)
-        times = f" ({count} includes)" if count > 1 else ""
-        severity = Severity.ERROR
-        advice: str | None = where
-        lacked: Missing | None = None
-        meant: str | None = None
-        if location.is_remote:
-            severity = Severity.INFO
-            advice = "download it, and name the folder of its models in `model-paths` of the configuration"
-            message = f"`{text}` is not fetched, so what it brings is not known{times}"
-            lacked = Missing(MissingKind.REMOTE, text, count)
-        elif not location.is_local:
+        if location.is_remote or (location.is_local and include.is_searched_for):
+            yield self.elsewhere(include, count)
+            return
+        advice, message = looked_for(include), f"`{text}` leads to no file"
+        if not location.is_local:
             advice = "write `model://`, `package://`, `file://` or a path"
             message = f"no consumer knows the scheme `{location.scheme}`"
-        elif location.owner is not None and not include.is_searched_for:
+        elif location.owner is not None:
             missing = text.partition(f"{location.name}/")[2]
             message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
-        elif include.is_searched_for:
-            kind = location.scheme or "model"
-            message = f"{kind} `{location.name or text}` is not on the search path{times}"
-            severity = Severity.WARNING
-            meant = near_model(include)
-            lacked = None if meant else Missing(MissingKind(kind), location.name or text, count)
-            advice = f"{where}; set `{kind}-paths` in the configuration if it is elsewhere"
+        yield self.diagnostic(value, message, help=advice)
+
+    def elsewhere(self, include: Include, count: int) -> Diagnostic:
+        """The finding about a model that another computer may have."""
+        text, value, location, meant = include.uri, include.uri_value, include.location, near_model(include)
+        assert value is not None
+        assert location is not None
+        times, kind = f" ({count} includes)" if count > 1 else "", location.scheme or "model"
+        if location.is_remote:
+            message = f"`{text}` is not fetched, so what it brings is not known{times}"
+            advice = "download it, and name the folder of its models in `model-paths` of the configuration"
+            lacked = Missing(MissingKind.REMOTE, text, count)
         else:
-            message = f"`{text}` leads to no file"
-        affects = ELSEWHERE if lacked is not None or meant else {}
-        yield self.diagnostic(
+            message = f"{kind} `{location.name or text}` is not on the search path{times}"
+            advice = f"{looked_for(include)}; set `{kind}-paths` in the configuration if it is elsewhere"
+            lacked = Missing(MissingKind(kind), location.name or text, count)
+        return self.diagnostic(
             value,
             message,
             meant=meant,
-            fix=write_instead(text.replace(location.name, meant, 1), value) if meant else None,
-            severity=severity,
-            help=None if meant else advice,
-            affects=affects,
-            missing=lacked,
+            fix=write_instead(text.replace(location.name, meant, 1) if meant else None, value),
+            severity=Severity.INFO if location.is_remote else Severity.WARNING,
+            help=advice,
+            affects=ELSEWHERE,
+            missing=None if meant else lacked,
         )
