@@ -132,15 +132,15 @@ class UnresolvedInclude(Rule):
             return
         if location.is_remote or (location.is_local and include.is_searched_for):
             yield self.elsewhere(include, count)
-            return
-        advice, message = looked_for(include), f"`{text}` leads to no file"
-        if not location.is_local:
+        elif not location.is_local:
             advice = "write `model://`, `package://`, `file://` or a path"
-            message = f"no consumer knows the scheme `{location.scheme}`"
-        elif location.owner is not None:
-            missing = text.partition(f"{location.name}/")[2]
-            message = f"there is no `{missing}` in {location.scheme} `{location.name}`"
-        yield self.diagnostic(value, message, help=advice)
+            yield self.diagnostic(value, f"no consumer knows the scheme `{location.scheme}`", help=advice)
+        else:
+            message = f"`{text}` leads to no file"
+            if location.owner is not None:
+                inside = text.partition(f"{location.name}/")[2]
+                message = f"there is no `{inside}` in {location.scheme} `{location.name}`"
+            yield self.diagnostic(value, message, help=looked_for(include))
 
     def elsewhere(self, include: Include, count: int) -> Diagnostic:
         """The finding about a model that another computer may have."""
