@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_WORLD,
+    UNFOUND,
     Bad,
     Consumer,
     Diagnostic,
@@ -12,15 +13,12 @@ from sdfcheck import (
     Root,
     Rule,
     Severity,
-    refuses,
     write_instead,
 )
 from sdfcheck_rules.res.places import descriptions, looked_for, near_model
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
-ELSEWHERE = dict.fromkeys(
-    (Consumer.GAZEBO, Consumer.DRAKE), refuses("refuses the file where it does not find it")
-)
+ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
 
 
 class UnresolvedInclude(Rule):
@@ -147,22 +145,20 @@ class UnresolvedInclude(Rule):
         text, value, location, meant = include.uri, include.uri_value, include.location, near_model(include)
         assert value is not None
         assert location is not None
-        times, kind = f" ({count} includes)" if count > 1 else "", location.scheme or "model"
+        kind, name = location.scheme or "model", location.name or text
+        message = f"{kind} `{name}` is not on the search path"
+        advice = f"{looked_for(include)}; set `{kind}-paths` in the configuration if it is elsewhere"
         if location.is_remote:
-            message = f"`{text}` is not fetched, so what it brings is not known{times}"
+            kind, name = MissingKind.REMOTE.value, text
+            message = f"`{text}` is not fetched, so what it brings is not known"
             advice = "download it, and name the folder of its models in `model-paths` of the configuration"
-            lacked = Missing(MissingKind.REMOTE, text, count)
-        else:
-            message = f"{kind} `{location.name or text}` is not on the search path{times}"
-            advice = f"{looked_for(include)}; set `{kind}-paths` in the configuration if it is elsewhere"
-            lacked = Missing(MissingKind(kind), location.name or text, count)
         return self.diagnostic(
             value,
-            message,
+            f"{message} ({count} includes)" if count > 1 else message,
             meant=meant,
             fix=write_instead(text.replace(location.name, meant, 1) if meant else None, value),
             severity=Severity.INFO if location.is_remote else Severity.WARNING,
             help=advice,
             affects=ELSEWHERE,
-            missing=None if meant else lacked,
+            missing=None if meant else Missing(MissingKind(kind), name, count),
         )
