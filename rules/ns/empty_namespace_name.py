@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, Rule, Severity
-from sdfcheck_rules.ns.soundness import is_malformed, is_reserved
+from sdfcheck_rules.ns.soundness import is_reserved
 
 
 class EmptyNamespaceName(Rule):
@@ -36,7 +36,7 @@ class EmptyNamespaceName(Rule):
 
     @staticmethod
     def applies(declaration: PrefixDeclaration) -> bool:
-        if declaration.namespace.strip() or is_malformed(declaration.name):
+        if declaration.namespace.strip() or not declaration.is_qualified:
             return False
         return declaration.first is None and not is_reserved(declaration)
 

@@ -1,7 +1,6 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, PrefixedName, Rule, Severity
-from sdfcheck_rules.ns.soundness import is_malformed
 
 
 class MalformedQualifiedName(Rule):
@@ -49,8 +48,8 @@ class MalformedQualifiedName(Rule):
     @staticmethod
     def applies(named: PrefixDeclaration | PrefixedName) -> bool:
         if isinstance(named, PrefixedName):
-            return is_malformed(named.name) and not named.is_in_plugin
-        return is_malformed(named.name) and named.name != "xmlns"
+            return not named.is_qualified and not named.is_in_plugin
+        return not named.is_qualified and named.name != "xmlns"
 
     def check(self, named: PrefixDeclaration | PrefixedName) -> Iterator[Diagnostic]:
         name = named.name

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, PrefixDeclaration, PrefixedName, Rule, Severity
-from sdfcheck_rules.ns.soundness import is_malformed, is_reserved
+from sdfcheck_rules.ns.soundness import is_reserved
 
 
 class ReservedPrefix(Rule):
@@ -48,7 +48,7 @@ class ReservedPrefix(Rule):
 
     @staticmethod
     def applies(named: PrefixDeclaration | PrefixedName) -> bool:
-        if is_malformed(named.name):
+        if not named.is_qualified:
             return False
         if isinstance(named, PrefixedName):
             return named.prefix == "xmlns"

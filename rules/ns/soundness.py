@@ -13,14 +13,8 @@ def is_reserved(declaration: PrefixDeclaration) -> bool:
     return declaration.prefix == "xmlns" or declaration.namespace in {XML_NAMESPACE, XMLNS_NAMESPACE}
 
 
-def is_malformed(name: str) -> bool:
-    """Is a name something else than a prefix, one colon and a local part?"""
-    prefix, _, local = name.partition(":")
-    return not prefix or not local or ":" in local or not (local[0].isalpha() or local[0] == "_")
-
-
 def is_sound(declaration: PrefixDeclaration) -> bool:
     """Is nothing wrong with a declaration by itself?"""
-    if is_malformed(declaration.name) or declaration.first is not None:
+    if not declaration.is_qualified or declaration.first is not None:
         return False
     return bool(declaration.namespace.strip()) and not is_reserved(declaration)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
-from sdfcheck import Document, Include, Resource, suggest
+from sdfcheck import Document, Fix, Include, Resource, suggest, write_instead
 
 _SHOWN = 3
 
@@ -69,6 +70,15 @@ def near_model(include: Include) -> str | None:
         and os.path.isfile(os.path.join(folder, name, "model.config"))
     }
     return include.nearest(location.name, sorted(known))
+
+
+def write_model(name: str | None, includes: Sequence[Include]) -> Fix | None:
+    """The fix that writes the name of a model in includes of one that is not found, all of the same URI."""
+    location = includes[0].location
+    if name is None or location is None:
+        return None
+    inside = includes[0].uri.partition(f"://{location.name}")[2]
+    return write_instead(f"model://{name}{inside}", *(each.uri_value or each for each in includes))
 
 
 def numbers(name: str) -> list[str]:

@@ -13,9 +13,8 @@ from sdfcheck import (
     Root,
     Rule,
     Severity,
-    write_instead,
 )
-from sdfcheck_rules.res.places import descriptions, looked_for, near_model
+from sdfcheck_rules.res.places import descriptions, looked_for, near_model, write_model
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
@@ -83,6 +82,18 @@ class UnresolvedInclude(Rule):
             says="model `warehuose` is not on the search path; did you mean `warehouse`?",
         ),
         Bad(
+            "<include><uri>«model://odel»</uri><name>a</name></include>"
+            "<include><uri>model://odel</uri><name>b</name></include>",
+            fixed="<include><uri>model://model</uri><name>a</name></include>"
+            "<include><uri>model://model</uri><name>b</name></include>",
+            unsafe=True,
+            files={
+                "model/model.config": '<model><name>model</name><sdf version="1.12">arm.sdf</sdf></model>',
+                "model/arm.sdf": ARM,
+            },
+            says="(2 includes); did you mean `model`?",
+        ),
+        Bad(
             "<include><uri>«model://arm»</uri></include>",
             files={"arm/src/arm.cc": ""},
             says="model `arm` is not on the search path",
@@ -114,7 +125,7 @@ class UnresolvedInclude(Rule):
                 is_outside = include.is_searched_for or (include.location and include.location.is_remote)
                 alike.setdefault(include.uri if is_outside else include, []).append(include)
         for includes in alike.values():
-            yield from self.missing(includes[0], len(includes))
+            yield from self.missing(includes)
 
     def folder(self, include: Include) -> Iterator[Diagnostic]:
         text, value, location = include.uri, include.uri_value, include.location
@@ -124,24 +135,25 @@ class UnresolvedInclude(Rule):
         advice = f"name the file: {files}" if files else None
         yield self.diagnostic(value, f"`{text}` leads to a folder without `model.config`", help=advice)
 
-    def missing(self, include: Include, count: int) -> Iterator[Diagnostic]:
-        text, value, location = include.uri, include.uri_value, include.location
+    def missing(self, includes: list[Include]) -> Iterator[Diagnostic]:
+        include = includes[0]
+        value, location = include.uri_value, include.location
         if value is None or location is None:
             return
         if location.is_remote or (location.is_local and include.is_searched_for):
-            yield self.elsewhere(include, count)
+            yield self.elsewhere(includes)
         elif not location.is_local:
             advice = "write `model://`, `package://`, `file://` or a path"
             yield self.diagnostic(value, f"no consumer knows the scheme `{location.scheme}`", help=advice)
         else:
-            message = f"`{text}` leads to no file"
-            if location.owner is not None:
-                inside = text.partition(f"{location.name}/")[2]
-                message = f"there is no `{inside}` in {location.scheme} `{location.name}`"
+            _, _, inside = include.uri.partition(f"{location.name}/")
+            lacked = f"there is no `{inside}` in {location.scheme} `{location.name}`"
+            message = f"`{include.uri}` leads to no file" if location.owner is None else lacked
             yield self.diagnostic(value, message, help=looked_for(include))
 
-    def elsewhere(self, include: Include, count: int) -> Diagnostic:
+    def elsewhere(self, includes: list[Include]) -> Diagnostic:
         """The finding about a model that another computer may have."""
+        include, count = includes[0], len(includes)
         text, value, location, meant = include.uri, include.uri_value, include.location, near_model(include)
         assert value is not None
         assert location is not None
@@ -156,7 +168,7 @@ class UnresolvedInclude(Rule):
             value,
             f"{message} ({count} includes)" if count > 1 else message,
             meant=meant,
-            fix=write_instead(text.replace(location.name, meant, 1) if meant else None, value),
+            fix=write_model(meant, includes),
             severity=Severity.INFO if location.is_remote else Severity.WARNING,
             help=advice,
             affects=ELSEWHERE,

@@ -214,6 +214,7 @@ class _Collada:
         self.named = {element.get("id"): element for element in root.iter() if element.get("id")}
         self.measured: dict[Any, tuple[Box | None, int]] = {}
         self.points: dict[Any, Points | None] = {}
+        self.corners: dict[Any, list[Points]] = {}
 
     @property
     def meter(self) -> float:
@@ -296,10 +297,14 @@ class _Collada:
 
     def triangles(self) -> Iterator[Points]:
         """The triangles (n, 3, 3) of each primitive (m)."""
-        for transform, element in self._placed():
-            for primitive in self._unskinned(element).iter():
-                if _triangles(primitive) and (corners := self._corners(primitive)) is not None:
-                    yield (corners @ transform[:3, :3].T + transform[:3, 3]) * self.meter
+        meter = self.meter
+        for transform, placed in self._placed():
+            element = self._unskinned(placed)
+            if element not in self.corners:  # which may be placed often
+                parts = (self._corners(each) for each in element.iter() if _triangles(each))
+                self.corners[element] = [part for part in parts if part is not None and len(part)]
+            for part in self.corners[element]:
+                yield (part @ transform[:3, :3].T + transform[:3, 3]) * meter
 
     def _corners(self, primitive: Any) -> Points | None:
         """The triangles of one primitive, in its own frame."""
@@ -526,10 +531,13 @@ def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
     from sdfcheck.bodies.solid import skin_of
 
     data, found, count = read(path, LIMIT), [], 0
+    form = _format(data, ENDINGS.get(path.suffix.lower(), ""))
+    if form in {"COLLADA", "OBJ"} and len(data) > _MOST_TEXT:
+        return None
     try:
-        for part in _each_triangle(data, _format(data, ENDINGS.get(path.suffix.lower(), ""))):
+        for part in _each_triangle(data, form):
             found.append(part)
-            count += len(part)
+            count += max(len(part), _LEAST_TRIANGLES)
             if count > _MOST_TRIANGLES:
                 return None
     except (ArithmeticError, IndexError, KeyError, RecursionError, TypeError, ValueError, AttributeError):
@@ -537,8 +545,10 @@ def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
     return skin_of(np.concatenate(found)) if found else None
 
 
-_MOST_TRIANGLES = 5_000_000
-"""Parts of a file that are placed often would be endless."""
+_MOST_TEXT = 32 * MEGABYTE
+"""Texts take many times their size in memory until they are numbers."""
+_MOST_TRIANGLES, _LEAST_TRIANGLES = 5_000_000, 1_000
+"""Parts of a file that are placed often would be endless, be they large or small: each counts as so many at least."""
 
 
 def _each_triangle(data: bytes, form: str) -> Iterator[Points]:

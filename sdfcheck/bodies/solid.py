@@ -337,7 +337,7 @@ def _box() -> Array:
     for across in range(3):
         for side in (-0.5, 0.5):
             square = np.array([(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)])[:: int(2 * side)]
-            corners = np.insert(np.roll(square, 0, axis=1), across, side, axis=1)
+            corners = np.insert(square, across, side, axis=1)
             if across == 1:
                 corners = corners[::-1]
             faces += [corners[[0, 1, 2]], corners[[0, 2, 3]]]

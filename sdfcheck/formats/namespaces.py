@@ -43,6 +43,11 @@ class PrefixDeclaration:
         self._number = number
 
     @property
+    def is_qualified(self) -> bool:
+        """Is its name a prefix, one colon and a local part?"""
+        return _is_qualified(self.name)
+
+    @property
     def is_repeated(self) -> bool:
         """Does its element declare the prefix once more?"""
         return any(other.first is self for other in self.beside)
@@ -92,6 +97,11 @@ class PrefixedName:
         """The URI of its prefix; None where it is not bound."""
         self.first: PrefixedName | None = None
         """The attribute before it in the same tag that has the same namespace and local part, by another prefix."""
+
+    @property
+    def is_qualified(self) -> bool:
+        """Is its name a prefix, one colon and a local part?"""
+        return _is_qualified(self.name)
 
     @property
     def prefix_span(self) -> Span:

@@ -21,7 +21,7 @@ from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.prepare import UnknownParts, has_unknown_value, is_unknown, prepare
+from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, is_unknown, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
@@ -98,7 +98,7 @@ _OF_ENVIRONMENT = re.compile(r"^\$\(optenv\s+\w+\s+(\w+)\s*\)$")
 _FILLED = "any_"
 _MOST_VARIANTS = 8
 _MOST_ELEMENTS = 6_000
-"""So many elements all variants of a robot may have together."""
+"""So many elements all variants of a robot may have together, and each by itself."""
 
 
 def _lint_variants(
@@ -115,32 +115,48 @@ def _lint_variants(
     what another one would bring. Where they cannot be expanded together, only what arguments switch on is tried.
     """
 
-    def key(found: Diagnostic) -> tuple[str, Path, int]:
-        return found.code, found.span.source.path, found.span.start
-
     def new(arguments: Mapping[str, str]) -> list[Diagnostic] | None:
-        expanded = expander.expand(document, arguments).document
-        if expanded is None or expanded.source.text == robot.source.text:
-            return None if expanded is None else []
-        expanded.library = document.library
-        found = fold(settle(lint_document(expanded, dispatch), expanded, document))
-        return [each for each in found if each.severity is Severity.ERROR and key(each) not in seen]
+        found = _errors_with(arguments, document, robot, dispatch, expander)
+        return found and [each for each in found if _where(each) not in seen]
 
-    seen = set(map(key, known))
+    seen = set(map(_where, known))
     most = min(_MOST_VARIANTS, _MOST_ELEMENTS // len(robot.elements))
     values = dict(islice(_other_values(document), most))
     together = new(values) if values else []
-    left = None if together is None else set(map(key, together))
+    left = None if together is None else set(map(_where, together))
     for name, value in values.items():
         if left is None and value in _OFF:
             continue
         if left is not None and left <= seen:
             return
         for each in new({name: value}) or ():
-            if left is None or key(each) in left:
-                seen.add(key(each))
+            if left is None or _where(each) in left:
+                seen.add(_where(each))
                 message = f"{each.message} (with `{name}:={value}`)"
                 yield each.without_fix._replace(message=message, severity=Severity.WARNING, affects=())
+
+
+def _errors_with(
+    arguments: Mapping[str, str],
+    document: Document,
+    robot: ExpandedDocument,
+    dispatch: Dispatch,
+    expander: Expander,
+) -> list[Diagnostic] | None:
+    """The errors of a robot with other arguments; None where it cannot be expanded, none where it is too large."""
+    expansion = expander.expand(document, arguments)
+    expanded = expansion.document
+    if expanded is None:
+        return None if goes_on(expansion) else []
+    if expanded.source.text == robot.source.text or len(expanded.elements) > _MOST_ELEMENTS:
+        return []
+    expanded.library = document.library
+    found = fold(settle(lint_document(expanded, dispatch), expanded, document))
+    return [each for each in found if each.severity is Severity.ERROR]
+
+
+def _where(found: Diagnostic) -> tuple[str, Path, int]:
+    return found.code, found.span.source.path, found.span.start
 
 
 def _other_values(document: Document) -> Iterator[tuple[str, str]]:

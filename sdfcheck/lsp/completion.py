@@ -16,7 +16,7 @@ from sdfcheck.formats.describe import Spot, spot
 from sdfcheck.formats.schema import Definition, RowInVersion
 from sdfcheck.formats.vendor.definitions import Place, Slot, Vendor
 from sdfcheck.formats.vendor.table import vendors
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, VERSIONS, Version
 from sdfcheck.lsp.context import (
     MARKUP,
     Context,
@@ -82,9 +82,8 @@ def value_items(context: Context, version: Version, vendors: Sequence[Vendor]) -
         yield from (Item(name, Sort.FILE, name, detail="Gazebo Classic", rank=6) for name in files)
         return
     if tag == "sdf" and attribute == "version":
-        yield from (
-            Item(f"1.{minor}", Sort.CHOICE, f"1.{minor}", rank=20 - minor) for minor in range(12, 1, -1)
-        )
+        newest_first = map(str, reversed(VERSIONS))
+        yield from (Item(each, Sort.CHOICE, each, rank=8 + n) for n, each in enumerate(newest_first))
         return
     yield from (_of_control(context) if "ros2_control" in context.around else ()) or _of_format(
         context, version

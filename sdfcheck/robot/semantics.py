@@ -408,9 +408,9 @@ def semantic_names(semantics: Semantics, wanted: Collection[str] | None = None) 
 
 MOST_FILES = 1000
 MOST_ROBOTS = 6
+"""So many files of a project are looked at, and so many robots compared."""
 _MOST_GUESSES = 20
 """So many files are expanded because an expression may give the name of the robot."""
-"""So many files of a project are looked at, and so many robots compared."""
 
 _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
 _DECLARED = re.compile(

@@ -136,7 +136,7 @@ def prepare(
     parts = {
         index: expand_as_launched(document, expander.expand_partly, arguments)
         for index, arguments in enumerate(sets)
-        if misread or _goes_on(expansions[index])
+        if misread or goes_on(expansions[index])
     }
     shown = tuple(part.document for part in parts.values() if part.document is not None)
     for part in shown:
@@ -173,7 +173,7 @@ def _is_template(source: Source) -> bool:
     return source.path.suffix == TEMPLATE
 
 
-def _goes_on(expansion: Expansion) -> bool:
+def goes_on(expansion: Expansion) -> bool:
     """Can a part of a file be expanded that xacro refuses?"""
     return expansion.document is None and not any(
         isinstance(each, XacroIncludeCycle) or (isinstance(each, ExpansionFailure) and each.kind in _FINAL)

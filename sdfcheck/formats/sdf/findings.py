@@ -16,6 +16,7 @@ from sdfcheck.formats.findings import (
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.values import read_at
+from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
 
@@ -102,22 +103,6 @@ _CLOSED = frozenset(("material/pbr",))
 # Without these the rest of the model is refused, or is another one.
 _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
 
-# PyBullet reads `contact` in a link of SDFormat, too.
-_OF_PYBULLET = frozenset(
-    (
-        "contact_cfm",
-        "contact_erp",
-        "damping",
-        "friction_anchor",
-        "inertia_scaling",
-        "lateral_friction",
-        "restitution",
-        "rolling_friction",
-        "spinning_friction",
-        "stiffness",
-    )
-)
-
 # Not in any version, and yet what Gazebo reads: reported among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
@@ -173,8 +158,7 @@ class SdfFindings(Findings):
             if not history.carried_over(place, name, self.version):
                 self.found.append(problems.RemovedElement(child, parent, None, old, successor))
             return
-        inner = {each.name for each in child.children()}
-        if (parent.name, name) == ("link", "contact") and inner and inner <= _OF_PYBULLET:
+        if (parent.name, name) == ("link", "contact") and _is_of_pybullet(child):
             return
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name, self.version):
@@ -344,3 +328,10 @@ class SdfFindings(Findings):
             else:
                 self.found.append(problems.TooNewElement(uses[0], since, declaration, tuple(uses)))
         return folded(counted(self.found, self.strange))
+
+
+def _is_of_pybullet(contact: Element) -> bool:
+    """Is it the `contact` of a link of URDF, which PyBullet reads in SDFormat, too?"""
+    known = urdf().children["link"].children["contact"].children
+    names = {each.name for each in contact.children()}
+    return bool(names) and names <= known.keys()
