@@ -6,6 +6,7 @@ import json
 import math
 import os
 import struct
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -326,6 +327,19 @@ def test_a_mesh_without_triangles_has_no_skin(tmp_path: Path, name: str, data: b
     path.write_bytes(data)
     assert skin_at(path) is None
     assert skin_at(tmp_path / "missing.stl") is None
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("a.dae", collada(node='<instance_geometry url="#g"/>' * 6000)),
+        ("a.obj", OBJ + b"# \n" * 12_000_000),
+    ],
+)
+def test_a_file_that_would_take_long_has_no_skin(tmp_path: Path, name: str, data: bytes) -> None:
+    start = time.process_time()
+    assert skin_at(written(tmp_path, name, data)) is None
+    assert time.process_time() - start < 5
 
 
 def moved(x: float) -> npt.NDArray[np.float64]:
