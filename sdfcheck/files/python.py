@@ -12,7 +12,7 @@ def python_program() -> str:
     """The path of the running interpreter's program, or of another Python where an application embeds the interpreter.
 
     Raises:
-        WrongUsage: there is none.
+        WrongUsage: neither is found.
     """
     if sys.executable:
         return sys.executable

@@ -151,7 +151,7 @@ def _errors_with(
     if expanded.source.text == robot.source.text or len(expanded.elements) > _MOST_ELEMENTS:
         return []
     expanded.library = document.library
-    found = fold(settle(lint_document(expanded, dispatch), expanded, document))
+    found = fold(settle(lint_document(expanded, dispatch.of_errors), expanded, document))
     return [each for each in found if each.severity is Severity.ERROR]
 
 
