@@ -53,7 +53,9 @@ def test_metadata(rule: type[Rule]) -> None:
     assert rule.code.rstrip("0123456789").lower() == rule.__module__.split(".")[-2]
 
 
-@pytest.mark.parametrize("rule", [r for r in RULES if r.code.rstrip("0123456789") in OF_BODIES], ids=lambda r: r.code)
+@pytest.mark.parametrize(
+    "rule", [r for r in RULES if r.code.rstrip("0123456789") in OF_BODIES], ids=lambda r: r.code
+)
 def test_rules_about_bodies_find_errors_only_by_their_own_severity(rule: type[Rule]) -> None:
     if rule.severity is not Severity.ERROR:
         assert "Severity.ERROR" not in inspect.getsource(sys.modules[rule.__module__])
