@@ -246,9 +246,8 @@ def _moved(judge: Judge, comparison: Comparison, before: Robot, after: Robot) ->
 
 def _is_read_otherwise(judge: Judge, joint: Joint) -> bool:
     """Does a consumer take a range without width for none, or the limits of a continuous joint for limits?"""
-    if judge is Judge.DRAKE and joint.kind == "continuous":
-        return True
-    return judge is Judge.MUJOCO and any(axis.lower == axis.upper for axis in joint.axes)
+    is_locked = any(axis.lower == axis.upper for axis in joint.axes)
+    return joint.kind == "continuous" or (judge is Judge.MUJOCO and is_locked)
 
 
 def _groups(robot: Mechanism) -> list[list[str]]:
