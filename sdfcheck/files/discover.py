@@ -80,7 +80,11 @@ def discover(
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):
-            raise WrongUsage(f"no such file or folder: {path}")
+            name, sign, value = str(path).partition("=")
+            hint = (
+                f"; an argument of xacro is written `{name}:={value}`" if sign and name.isidentifier() else ""
+            )
+            raise WrongUsage(f"no such file or folder: {path}{hint}")
         elif force_exclude and exclude(path):
             left.skipped.append((path, "excluded by the configuration"))
         else:
