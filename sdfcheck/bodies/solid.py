@@ -238,6 +238,8 @@ class Skin(NamedTuple):
 
     def is_near(self, other: Skin, least: float) -> bool:
         """Is it no farther away than that (m)? Few points show what is near."""
+        if self.distance_of_bounds(other) > least:
+            return False
         reach = least + max(self._radii.max(), other._radii.max()) * math.sqrt(POINTS / _LEVELS[0])
         return any(_are_near(self.some(count), other.some(count), least, reach) for count in _LEVELS)
 

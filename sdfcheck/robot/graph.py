@@ -27,6 +27,7 @@ from sdfcheck.robot.naming.name import (
     WORLD_FRAME,
     UnknownName,
     mirrored,
+    other_letter,
     without_sides,
 )
 from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, pick
@@ -1126,8 +1127,11 @@ class Joint(Node):
     @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
-        name = mirrored(self.name)
-        return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
+        if self.model is None:
+            return None
+        joints, name = self.model.joints_by_name, mirrored(self.name)
+        name = name if name != self.name else other_letter(name, joints)
+        return joints.get(name) if name != self.name else None
 
     @property
     def reach(self) -> Reach | None:

@@ -357,8 +357,8 @@ def distance(skins: Sequence[Skin], others: Sequence[Skin], least: float) -> flo
         return 0.0
     found = math.inf
     for skin, other in pairs:
-        if skin.distance_of_bounds(other) < found:
-            found = min(found, skin.distance_to(other))
+        if (apart := skin.distance_of_bounds(other)) < found:
+            found = min(found, max(apart, skin.distance_to(other)))
     return found if pairs else 0.0
 
 
