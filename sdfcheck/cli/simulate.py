@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
-_MOVING = frozenset({"GEO", "JNT"})
-"""The families of rules about shapes and joints: of a robot that moves, they say what no simulator notices."""
+_MOVING = ("GEO", "JNT", "INR001")
+"""The rules about shapes, joints and parts without mass: of a robot that moves, they say what no simulator notices."""
 
 
 def _simulators(
@@ -134,7 +134,7 @@ def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, qui
     finally:
         progress.clear()
     if all(each.code != SimKind.NOT_LOADED.code for each in found):
-        linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
+        linted = (each for each in lint_document(document, dispatch) if each.code.startswith(_MOVING))
         found += (each.without_fix for each in linted if each.severity is not Severity.INFO)
     return sorted(found, key=lambda one: one.sort_key)
 
