@@ -12,7 +12,7 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
 from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
-from sdfcheck.cli.parts.output import FORMATS, outputs, refuse_to_write, write
+from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.consumers.engines import SIMULATORS as ENGINES
@@ -26,16 +26,18 @@ from sdfcheck.lint.kinds import SIMULATED, SimKind
 from sdfcheck.lint.one_file import silence_simulated
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
+from sdfcheck.report import OutputFormat
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.report.content import Robot
     from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
-_MOVING = ("GEO", "JNT", "INR001")
-"""The rules about shapes, joints and parts without mass: of a robot that moves, they say what no simulator notices."""
+_MOVING = frozenset({"GEO", "JNT"})
+"""The families of rules about shapes and joints: of a robot that moves, they say what no simulator notices."""
 
 
 def _simulators(
@@ -106,13 +108,22 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     findings = _findings(document, settings, book.dispatch(configured, file), quiet=quiet)
     found, silenced = silence_simulated(findings, (*book.rules(configured), *SIMULATED), configured, file)
     done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
+    drawn = _drawn(done, document, wanted)
     for output in wanted:
-        write(output, done, color=color, view=view_of(request, failing))
+        write(output, done, color=color, view=view_of(request, failing), robots=drawn)
     if not quiet:
-        names = ", ".join(engine.value for engine in engines)
         converted = ", converted to URDF for it" if document.kind is Kind.SDF else ""
-        say(f"simulated in {names}{converted}: {seconds:g} s")
+        say(f"simulated in {', '.join(engine.value for engine in engines)}{converted}: {seconds:g} s")
     return exit_code(request, done)
+
+
+def _drawn(done: Run, document: Document, wanted: Sequence[Output]) -> Sequence[Robot]:
+    """The robot for a page, which shows what is found when it happens."""
+    if not any(output.format is OutputFormat.HTML for output in wanted):
+        return ()
+    from sdfcheck.report.content import robots
+
+    return list(robots(done, [(document.path, document)]))
 
 
 def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
@@ -134,7 +145,7 @@ def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, qui
     finally:
         progress.clear()
     if all(each.code != SimKind.NOT_LOADED.code for each in found):
-        linted = (each for each in lint_document(document, dispatch) if each.code.startswith(_MOVING))
+        linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
         found += (each.without_fix for each in linted if each.severity is not Severity.INFO)
     return sorted(found, key=lambda one: one.sort_key)
 

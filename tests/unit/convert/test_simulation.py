@@ -119,6 +119,20 @@ def test_a_joint_that_moves_parts_into_one_another(
     found = findings(text, Engine.MUJOCO, tmp_path, capsys)
     assert {one["code"] for one in found} == {"SIM007"}
     assert all("joint `" in one["message"] and "into `" in one["message"] for one in found)
+    page = tmp_path / "r.html"
+    line = [
+        "simulate",
+        str(tmp_path / "r.urdf"),
+        "--in",
+        "mujoco",
+        "--output-format",
+        "html",
+        "-o",
+        str(page),
+        "-q",
+    ]
+    assert main([*line, "--isolated", "--exit-zero"]) == 0
+    assert '"moment":{"positions":{"' in page.read_text(encoding="utf-8").replace(" ", "")
 
 
 def test_pairs_that_srdf_disables_may_overlap(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
