@@ -146,7 +146,9 @@ def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, qui
         progress.clear()
     if all(each.code != SimKind.NOT_LOADED.code for each in found):
         linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
-        found += (each.without_fix for each in linted if each.severity is not Severity.INFO)
+        found += (
+            each.without_fix for each in linted if each.severity is not Severity.INFO and not each.missing
+        )
     return sorted(found, key=lambda one: one.sort_key)
 
 

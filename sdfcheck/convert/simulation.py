@@ -188,6 +188,11 @@ class Subject:
         return {name: top(name) for name in group}
 
     @cached_property
+    def moved(self) -> set[str]:
+        """The links that are moved by a joint of their own."""
+        return {joint.child for joint in self.robot.joints.values() if joint.moves}
+
+    @cached_property
     def massless_movers(self) -> list[str]:
         """The links without mass that move."""
         held = {self.groups[name] for name in ("world", *self.robot.roots()) if name in self.groups}
@@ -414,7 +419,7 @@ class Trial:
                 given[name] = body[0]
                 continue
             mass = own.body.mass if own.body is not None else 0.0
-            if not body[0] and not mass and own.geometries and name in self.subject.massless_movers:
+            if not body[0] and not mass and own.geometries and name in self.subject.moved:
                 text = f"moves, has shapes, and a mass of 0, which {self.title} takes as it is"
                 yield self._at_link(SimKind.OTHER_MASS, name, text)
                 continue
