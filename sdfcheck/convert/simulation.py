@@ -29,7 +29,7 @@ from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
-from sdfcheck.source.errors import DescriptionError
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
@@ -105,8 +105,10 @@ def _models(document: Document) -> Iterator[Model]:
 def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progress) -> Iterator[Diagnostic]:
     try:
         subject = Subject(model)
-    except (DescriptionError, NotConvertible) as error:
-        span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
+    except (DescriptionError, NotConvertible, WrongUsage) as error:
+        span = model.element.span  # of an include that leads nowhere
+        if not isinstance(error, WrongUsage):
+            span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
         yield Diagnostic(
             SimKind.NOT_LOADED.code,
             SimKind.NOT_LOADED.title,
@@ -145,7 +147,8 @@ class Subject:
     def _convert(self) -> None:
         from sdfcheck.convert.sdf_to_urdf import Options, convert
 
-        done = convert(self.document, Options(model=self.model.name), verified=False)
+        written = self.model.element.get("name") or ""  # an include may give it another name
+        done = convert(self.document, Options(model=written), verified=False)
         self.text = done.text
         for comparison in done.comparisons:
             to = comparison.correspondence
@@ -186,6 +189,14 @@ class Subject:
             if not joint.moves and joint.parent in group and joint.child in group:
                 group[top(joint.child)] = top(joint.parent)
         return {name: top(name) for name in group}
+
+    @cached_property
+    def loose(self) -> set[str]:
+        """The links, as URDF calls them, that a joint carries for which URDF has no word: simulators differ in it."""
+        found = {joint.child for joint in self.robot.joints.values() if joint.kind == "ball"}
+        for _ in self.robot.links:
+            found |= {joint.child for joint in self.robot.joints.values() if joint.parent in found}
+        return {urdf for urdf, name in self.links.items() if name in found}
 
     @cached_property
     def moved(self) -> set[str]:
@@ -627,7 +638,9 @@ def _disagreements(subject: Subject, runs: Mapping[Engine, Mapping[str, Any]]) -
     quiet = {engine: run["fall"] for engine, run in runs.items() if not run["overlaps"]}
     first, *others = quiet or {Engine.MUJOCO: {}}
     for other in others:
-        name, apart = _farthest(quiet[first].get("early", {}), quiet[other].get("early", {}))
+        early = (quiet[engine].get("early", {}) for engine in (first, other))
+        ends = ({name: pose for name, pose in each.items() if name not in subject.loose} for each in early)
+        name, apart = _farthest(*ends)
         if apart > _APART * subject.size + 0.005:
             link = subject.robot.links.get(subject.links.get(name, name))
             text = (

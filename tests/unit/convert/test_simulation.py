@@ -174,6 +174,18 @@ def test_sdformat_is_converted(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "link `a` overlaps link `c`" in found["message"]
 
 
+def test_a_world_with_models_of_other_names(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "lamp").mkdir()
+    model = '<model name="lamp"><link name="a"><inertial><mass>1</mass></inertial></link></model>'
+    (tmp_path / "lamp" / "model.sdf").write_text(f'<sdf version="1.9">{model}</sdf>')
+    about = '<model><name>lamp</name><sdf version="1.9">model.sdf</sdf></model>'
+    (tmp_path / "lamp" / "model.config").write_text(about)
+    include = "<include><name>{}</name><pose>{} 0 0 0 0 0</pose><uri>model://lamp</uri></include>"
+    models = include.format("one", 0) + include.format("two", 1)
+    text = f'<sdf version="1.9"><world name="w">{models}</world></sdf>'
+    assert not codes(findings(text, Engine.MUJOCO, tmp_path, capsys, "w.sdf"))
+
+
 def test_a_robot_of_our_own_in_all_simulators(capsys: pytest.CaptureFixture[str]) -> None:
     engines = [engine for engine in (Engine.MUJOCO, Engine.DRAKE) if is_installed(engine)]
     if len(engines) < 2:
