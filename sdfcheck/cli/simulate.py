@@ -17,6 +17,7 @@ from sdfcheck.cli.parts.terminal import say
 from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.consumers.engines import SIMULATORS as ENGINES
 from sdfcheck.consumers.engines import Engine, Limits, is_installed
+from sdfcheck.consumers.reaction import Manner
 from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
@@ -146,10 +147,16 @@ def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, qui
         progress.clear()
     if all(each.code != SimKind.NOT_LOADED.code for each in found):
         linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
-        found += (
-            each.without_fix for each in linted if each.severity is not Severity.INFO and not each.missing
-        )
+        found += (each.without_fix for each in linted if _concerns(each, settings))
     return sorted(found, key=lambda one: one.sort_key)
+
+
+def _concerns(found: Diagnostic, settings: Settings) -> bool:
+    """Is a finding about how the robot moves: not about this computer, nor what all simulators ignore?"""
+    names = {engine.value for engine in settings.engines}
+    reactions = [reaction.manner for consumer, reaction in found.affects if consumer in names]
+    is_ignored = len(reactions) == len(names) and set(reactions) == {Manner.IGNORE}
+    return found.severity is not Severity.INFO and not found.missing and not is_ignored
 
 
 class _Progress:

@@ -445,10 +445,12 @@ class Trial:
                         SimKind.OTHER_MASS, name, f"has other moments of inertia in {self.title} than here"
                     )
 
-        for name, mass in list(given.items())[:1]:
+        movers = [name for name in self.subject.massless_movers if name in given]
+        for name in [*movers, *given][:1]:
             more = f"; so have {counted(len(given) - 1, 'other link')}" if len(given) > 1 else ""
-            text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
-            matters = sum(given.values()) > _SMALL * self.subject.mass
+            text = f"has no mass here, and {given[name]:.4g} kg by {self.title}'s own choice{more}"
+            # That of the root link, which is held, changes nothing.
+            matters = sum(given[mover] for mover in movers) > _SMALL * self.subject.mass
             yield self._at_link(SimKind.OTHER_MASS, name, text, "warning" if matters else "info")
 
     def _joints(self, joints: Mapping[str, Any]) -> Iterator[Diagnostic]:
@@ -464,7 +466,8 @@ class Trial:
             if own.kind != "continuous" and not all(map(_as_good_as, here, there)):
                 ranges = [f"{a:g} to {b:g}" if b - a < 1e9 else "no range" for a, b in (here, there)]
                 text = f"has {ranges[1]} in {self.title}, and {ranges[0]} here"
-                yield self._at_joint(SimKind.OTHER_JOINT, own, text)
+                is_unsaid = not any(here)  # some write that for no limits
+                yield self._at_joint(SimKind.OTHER_JOINT, own, text, "info" if is_unsaid else "warning")
 
     def _overlaps(self, pairs: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
         for a, b, depth, point in pairs:
