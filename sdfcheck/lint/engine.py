@@ -7,6 +7,7 @@ from functools import cache, cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from sdfcheck.files.library import library_of
 from sdfcheck.formats.vendor import used_tables
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.rulebook.packs import RuleIndex
@@ -126,6 +127,8 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         if seen := subjects.of(document, tables):
             for rule in rules:
                 found += _check(rule, seen, document, dispatch)
+    if (library := library_of(document)) is not None:
+        library.shelves.save()
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
     certain = (diagnostic for diagnostic in found if not document.is_doubtful(diagnostic.span))
     return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
