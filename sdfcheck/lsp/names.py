@@ -206,7 +206,7 @@ def expansions(
 
 
 def _expander(workspace: Workspace, root: Document) -> tuple[Expander | None, list[dict[str, str]]]:
-    expander, sets = workspace.caches.xacro(workspace.settings_for(root.path), root.path)
+    expander, sets, _ = workspace.caches.xacro(workspace.settings_for(root.path), root.path)
     return expander, [dict(each) for each in sets] or _usual_sets(root)
 
 

@@ -328,7 +328,9 @@ class Spread:
         changed = {path: texts[real] for path, real in read.items() if real in texts}
         if not changed:
             return
-        expander, _ = self.workspace.caches.xacro(self.workspace.settings_for(one.root.path), one.root.path)
+        expander = self.workspace.caches.xacro(
+            self.workspace.settings_for(one.root.path), one.root.path
+        ).expander
         assert isinstance(expander, LiveExpander)
         after = expander.tried(one.root, arguments, changed).text
         if after is None:
