@@ -158,7 +158,7 @@ class Spread:
 
     def _name(self, number: int, row: Occurrence, after: str | None) -> None:
         """A place comes to another value: what it names is called so from now on."""
-        key = row.symbol.kind, row.symbol.name
+        key = row.symbol.called
         fits = after is not None and after.startswith(row.before) and after.endswith(row.after)
         if after is None or not fits:
             raise Refused(f"{_where(row.span)} expands to `{total(row)}` in a way that cannot be followed")
@@ -352,7 +352,7 @@ def _expected(document: ExpandedDocument, names: dict[Key, str]) -> str:
     flat.library = document.library
     places: dict[tuple[int, int], str] = {}
     for row in rows_of(flat):
-        name = names.get((row.symbol.kind, row.symbol.name))
+        name = names.get(row.symbol.called)
         if name is not None and row.span.source is flat.source:
             places[row.span.start, row.span.end] = escape(f"{row.before}{name}{row.after}", IN_QUOTES)
     for (start, end), name in sorted(places.items(), reverse=True):
@@ -471,7 +471,7 @@ def target(document: Document, offset: int) -> Target | None:
         return Target(named, span)
     literal = [each for each in pieces(span.text) if each.is_literal]
     if not literal:
-        words = [each for each in occurrences(document).all if _is_within(each.span, span)]
+        words = occurrences(document).within(span)
         if not words:
             raise Refused(f"`{span.text}` is made of expressions: rename what they take")
         word = min(words, key=lambda each: abs(each.span.start - offset))
@@ -479,10 +479,6 @@ def target(document: Document, offset: int) -> Target | None:
     at = offset - span.start
     nearest = min(literal, key=lambda each: max(each.start - at, at - each.end, 0))
     return Target(named, span.source.span(span.start + nearest.start, span.start + nearest.end))
-
-
-def _is_within(inner: Span, outer: Span) -> bool:
-    return outer.start <= inner.start and inner.end <= outer.end and inner != outer
 
 
 def rename(workspace: Workspace, document: Document, target: Target, name: str) -> list[TextEdit]:
@@ -591,6 +587,10 @@ def _is_in(symbol: Symbol, macro: Macro) -> bool:
 
 def _taken_in_robot(document: Document, symbol: Symbol, name: str) -> Iterator[str]:
     root = root_of(document)
+    if symbol.owner:
+        wanted = symbol._replace(name=name).called
+        yield from [symbol.kind] * any(each.symbol.called == wanted for each in occurrences(document).all)
+        return
     for scope in _scopes(root.scopes):
         if symbol.kind == "material":
             if isinstance(scope, Model) and root.is_urdf and name in scope.material_names.defined:
