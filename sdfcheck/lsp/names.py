@@ -386,7 +386,11 @@ def known_in(document: Document) -> Known:
 
 
 def _known_in(document: Document) -> Known:
-    return Known([visible_definitions(each) for each in (document, *roots_of(document))], document)
+    library = library_of(document)
+    around: list[Document | None] = [*roots_of(document)]
+    if not around and library is not None:  # a part of a part
+        around += (library.document(path, Kind.XACRO) for path in includers(document)[:MOST_ROOTS])
+    return Known([visible_definitions(each) for each in (document, *filter(None, around))], document)
 
 
 def is_made(document: Document) -> bool:

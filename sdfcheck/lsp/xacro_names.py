@@ -14,7 +14,7 @@ from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, PREFIX, is_literal, matches, replaced
+from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, PREFIX, is_literal, matches, parameters, replaced
 from sdfcheck.xacro.static.definitions import Definitions, Macro, reading
 from sdfcheck.xacro.static.project import definer
 
@@ -195,9 +195,9 @@ class Known:
         for known, given in pairs:
             for name, symbols in given.items():
                 known.setdefault(name, []).extend(symbols)
-        for macro, name, parameters in own.parameters:
+        for macro, name, symbols_of in own.parameters:
             taken = self.parameters[macro] = self.taken.setdefault(name, {})
-            for each, symbol in parameters.items():
+            for each, symbol in symbols_of.items():
                 taken.setdefault(each, []).append(symbol)
         self.local.update(own.local)
         for caller in reading(document).macros:
@@ -314,12 +314,12 @@ def _parameters(macro: Macro) -> Iterator[tuple[str, Symbol]]:
     if not macro.parameters:
         return
     span = macro.element.document.spans.attribute_value(macro.element, "params")
-    for parameter in macro.parameters:
+    for parameter in parameters(span.text):  # as it is written: XML makes one space of a line's end
         name = parameter.name.lstrip("*")
-        start = span.start + parameter.start + len(parameter.name) - len(name)
-        place = span.source.span(start, start + len(name))
-        if name and place.text == name:
-            yield name, Symbol("parameter", name, place)
+        start = span.start + parameter.end - len(name)
+        name = name.rstrip(",")
+        if name:
+            yield name, Symbol("parameter", name, span.source.span(start, start + len(name)))
 
 
 def _called(element: Element, name: str) -> Iterator[Span]:

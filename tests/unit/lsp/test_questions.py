@@ -165,14 +165,27 @@ def test_sensors_and_collisions_have_a_name_in_each_link(editor: Editor, tmp_pat
             2,
         ),
         ('<xacro:macro name="m" params="up"><link name="${up}"/></xacro:macro>', "{up}", 1),
+        ('<xacro:macro name="m" params="\r\n  up\r\n  a"><link name="${up}"/></xacro:macro>', "up}", 2),
+        (
+            (
+                '<xacro:macro name="m" params="p"><gazebo><plugin name="g"><frameName>${p}tip</frameName>'
+                "</plugin></gazebo></xacro:macro>"
+            ),
+            "tip<",
+            4,
+        ),
     ],
-    ids=["namespace", "its parameter", "call", "of nobody", "property of nobody", "of the caller", "around"],
+    ids="namespace,parameter there,call,nobody's,nobody's property,caller's,around,CRLF,includer's".split(
+        ","
+    ),
 )
 def test_names_that_are_defined_elsewhere(
     editor: Editor, tmp_path: Path, part: str, mark: str, line: int
 ) -> None:
-    path = written(tmp_path, arm=f'<xacro:property name="heavy" value="9"/>\n{ARM}', part=part)
-    buffer = editor.open(path, path.read_text())
+    include = '<xacro:include filename="part.xacro"/>' if "plugin" in part else ""
+    arm = ARM.replace("prefix}", "p}") if include else ARM
+    path = written(tmp_path, arm=f'<xacro:property name="heavy" value="9"/>{include}\n{arm}', part=part)
+    buffer = editor.open(path, path.read_bytes().decode())
     place = editor.place(buffer, buffer.source.text.index(mark))
     found = editor.answers.definition(buffer, types.DefinitionParams(**place))
     assert isinstance(found, types.Location)
