@@ -224,7 +224,7 @@ class Spread:
         at = span
         for _ in range(_DEEPEST):
             found = _expression(text, value, wanted)
-            given = None if found is None else self._giver(number, found[0], origins)
+            given = None if found is None else self._giver(number, found[0], at, origins)
             if found is None or given is None:
                 break
             at, origins = given
@@ -237,9 +237,11 @@ class Spread:
                 return
         raise Refused(f"{_where(span)} makes this name in a way that cannot be followed")
 
-    def _giver(self, number: int, word: str, origins: Sequence[Step]) -> tuple[Span, tuple[Step, ...]] | None:
+    def _giver(
+        self, number: int, word: str, place: Span, origins: Sequence[Step]
+    ) -> tuple[Span, tuple[Step, ...]] | None:
         """The place that gives a property, parameter or argument its value, and the calls around that."""
-        found = giver_of(word, tuple(origins), visible_definitions(self.all[number].root))
+        found = giver_of(word, place, tuple(origins), visible_definitions(self.all[number].root))
         return None if found is None or not found[0].text else (found[0].span, found[1])
 
     # Where no expansion comes

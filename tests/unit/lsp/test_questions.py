@@ -213,6 +213,15 @@ def test_renaming_where_a_name_is_written_out(editor: Editor, tmp_path: Path) ->
     }
 
 
+def test_renaming_through_macros_of_one_name(editor: Editor, tmp_path: Path) -> None:
+    block = '<xacro:macro name="block" params="of"><gazebo reference="${of}"/></xacro:macro>'
+    part = '<xacro:macro name="{0}" params="p">{1}<link name="${{p}}{0}"/><xacro:block of="${{p}}{0}"/></xacro:macro>'
+    robot = '<xacro:include filename="a.xacro"/><xacro:include filename="b.xacro"/><xacro:a p="x"/><xacro:b p="y"/>'
+    written(tmp_path, b=part.format("b", block), robot=robot)
+    path = written(tmp_path, a=part.format("a", block))
+    assert renamed(editor, path, 'name="${p}a"', 10, "tip") == {"a.xacro": ["${p}tip"] * 2}
+
+
 def test_renaming_both_of_two_branches(editor: Editor, tmp_path: Path) -> None:
     path = written(tmp_path, robot=BRANCHES)
     assert renamed(editor, path, '"tip"', 2, "hand") == {"robot.xacro": ["hand"] * 3}
