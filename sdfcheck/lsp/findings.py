@@ -252,6 +252,7 @@ class Findings:
         start, rest = same_ends(before.text, source.text)
         kept = _kept(others, before, source, start, len(source.text) - rest)
         self._robots[key] = _Robot(source, usual, tuple(kept))
+        self.workspace.caches.tidy()
         return [*usual, *kept]
 
     def _state(self, buffer: Buffer) -> tuple[str, tuple[Source, int]]:

@@ -12,7 +12,7 @@ import pytest
 
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hover import hover
-from sdfcheck.lsp.workspace import Workspace, reparsed, same_ends
+from sdfcheck.lsp.workspace import LiveLibrary, Workspace, reparsed, same_ends
 from sdfcheck.source.document import Aside, Document
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
@@ -160,6 +160,9 @@ def test_other_arguments_of_a_robot_are_looked_at_when_its_text_rests(tmp_path: 
         text = text.replace(old, new)
         findings.workspace.write(buffer, Source(path, text), number)
         assert findings.glance(buffer)
+        assert not any(
+            each.dropped for each in findings.workspace.caches.libraries if isinstance(each, LiveLibrary)
+        )
         soon = looked(path, "", findings)
         assert findings.glance(buffer)
         findings.lint(buffer)
