@@ -105,8 +105,8 @@ def xacro_names(document: Document, known: Known) -> Iterator[Occurrence]:
     for call in reading(document).calls:
         symbol = known.macro(call.name)
         if symbol is not None:
-            for span in _called(call.element, call.name):
-                yield Occurrence(span, symbol, before=call.name[: -len(symbol.name)])
+            for span in _called(call.element):
+                yield Occurrence(span, symbol, before=span.text[: -len(symbol.name)])
     yield from _words(document, known)
     yield from _of_robot(document, known)
 
@@ -322,14 +322,13 @@ def _parameters(macro: Macro) -> Iterator[tuple[str, Symbol]]:
             yield name, Symbol("parameter", name, span.source.span(start, start + len(name)))
 
 
-def _called(element: Element, name: str) -> Iterator[Span]:
-    """The name of the macro in a call, and in its end tag."""
+def _called(element: Element) -> Iterator[Span]:
+    """The name of the macro in a call, and in its end tag, with the prefix of xacro."""
     spans = element.document.spans
     if element.name == "xacro:call":
         yield spans.attribute_value(element, "macro")
-        return
-    for span in filter(None, (element.span, spans.end_name(element))):
-        yield span.source.span(span.end - len(name), span.end)
+    else:
+        yield from filter(None, (element.span, spans.end_name(element)))
 
 
 def _words(document: Document, known: Known) -> Iterator[Occurrence]:

@@ -196,7 +196,7 @@ def test_renaming_a_macro_in_a_namespace(editor: Editor, tmp_path: Path) -> None
     call = '<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"></xacro:my.arm>'
     written(tmp_path, arm=ARM, robot=call)
     after = renamed(editor, tmp_path / "arm.xacro", '"arm"', 1, "limb")
-    assert after == {"arm.xacro": ["limb"], "robot.xacro": ["my.limb", "my.limb"]}
+    assert after == {"arm.xacro": ["limb"], "robot.xacro": ["xacro:my.limb"] * 2}
 
 
 @pytest.mark.parametrize("file", ["arm", "control"])
