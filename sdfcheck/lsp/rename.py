@@ -130,11 +130,13 @@ class Spread:
     def _follow(self, named: Occurrence, text: str) -> None:
         """Write another text at the place of a name, and wherever that leads."""
         kind, span = named.symbol.kind, named.span
-        is_open = not named.is_definition and named.symbol.span == span
+        is_elsewhere = named.symbol.span.source.real_path != span.source.real_path
+        is_open = not named.is_definition and (named.symbol.span == span or is_elsewhere)
         keys = {key for one in self.all for key in names_at(one, span)}
         rows = (each for one in self.all for key in keys for each in one.by_name.get(key, ()))
         if is_open and not any(each.is_definition for each in rows):
-            raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
+            what = "robot is known that has" if is_elsewhere else "file is known that defines"
+            raise Refused(f"no {what} {kind} `{named.symbol.name}`")
         self._write(span, text)
         while self._waiting:
             number, key = self._waiting.pop()

@@ -192,6 +192,17 @@ def test_names_that_are_defined_elsewhere(
     assert found.range.start.line == line
 
 
+def test_a_name_that_no_robot_shows_is_kept(editor: Editor, tmp_path: Path) -> None:
+    block = '<xacro:macro name="b" params="prefix"><gazebo reference="${prefix}tip"/></xacro:macro>'
+    written(tmp_path, arm=f'{ARM}<xacro:include filename="block.xacro"/>')
+    path = written(tmp_path, block=block)
+    assert renamed(editor, path, "tip", 1, "end") == "no robot is known that has link `${prefix}tip`"
+    assert renamed(editor, tmp_path / "arm.xacro", "tip", 1, "end") == {
+        "arm.xacro": ["${prefix}end"] * 2,
+        "block.xacro": ["${prefix}end"],
+    }
+
+
 def test_renaming_a_macro_in_a_namespace(editor: Editor, tmp_path: Path) -> None:
     call = '<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"></xacro:my.arm>'
     written(tmp_path, arm=ARM, robot=call)
