@@ -61,6 +61,8 @@ class Xacro(NamedTuple):
 
     expander: Expander | None
     argument_sets: tuple[Mapping[str, str], ...] = ()
+    variants: bool = True
+    """Is the robot also looked at with other values of its arguments?"""
 
 
 class Dispatch:
