@@ -75,6 +75,12 @@ class MisplacedElement(Rule):
             '<sensor name="s" type="custom"><plugin filename="p" name="p"><mass>2</mass></plugin></sensor>',
             why="the content of a plugin is the plugin's",
         ),
+        Good(
+            '<sdf version="1.12">\n<model name="m">\n  <link name="a">\n  <inertial/>\n  <self_collide/>\n'
+            "</model></sdf>",
+            scaffold="{}",
+            why="syntax-error says that the link is not closed",
+        ),
         Good("<contact><lateral_friction>1</lateral_friction></contact>", why="PyBullet reads it"),
     )
 

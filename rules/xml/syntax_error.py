@@ -131,6 +131,10 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             says="`<light>` is never closed",
         ),
         Bad(
+            '<sdf version="1.12"><world name="w"><model name="m"><link name="l"><pose/>«</world>»</sdf>',
+            says="`</link></model>` is missing before `</world>`",
+        ),
+        Bad(
             '<sdf version="1.12"><model name="m"><link name="a"></«lnik»></model></sdf>',
             fixed='<sdf version="1.12"><model name="m"><link name="a"></link></model></sdf>',
             unsafe=True,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
@@ -22,7 +23,7 @@ from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, is_unknown, prepare
-from sdfcheck.xacro.problems import UnevaluatedExpression
+from sdfcheck.xacro.problems import MissingXacroPrefix, UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
@@ -49,6 +50,8 @@ def lint_xacro(
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
+    # So do those of an element in which a call of a macro is left.
+    left += _around_left(document)
     found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
     if expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
@@ -61,6 +64,15 @@ def _with_cause(found: Diagnostic) -> Diagnostic:
         return found
     is_left = found.span.text in KEYWORDS or BRACES.search(found.span.text)
     return found._replace(cause=found.span) if is_left else found
+
+
+def _around_left(document: Document) -> Iterator[Span]:
+    """The names of the elements around those that lack the prefix of xacro."""
+    for problem in document.problems:
+        for span in (problem.span, *problem.others) if isinstance(problem, MissingXacroPrefix) else ():
+            element = document.elements[bisect_right(document.scan.starts, span.start) - 1]
+            if element.parent is not None:
+                yield element.parent.span
 
 
 def _overlap(one: Span, other: Span) -> bool:

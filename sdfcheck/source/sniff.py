@@ -105,6 +105,8 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
 ROOTS = ("sdf", "robot", "model")
 # Only robot descriptions have these suffixes, so other content is a mistake.
 _UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
+_OF_STAGE = ".world"
+"""The suffix of what Stage reads, too, in a language of its own."""
 _SUFFIXES = _UNSHARED_SUFFIXES | {".sdf"}
 TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
 
@@ -136,7 +138,8 @@ _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 
 def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
     """The treatment of a file of this kind that was found in a walk, or named on the command line."""
-    if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in _UNSHARED_SUFFIXES:
+    unshared = _UNSHARED_SUFFIXES if kind is Kind.OTHER_XML else _UNSHARED_SUFFIXES - {_OF_STAGE}
+    if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in unshared:
         return Treatment.LINT
     return _TREATMENTS[kind][named]
 

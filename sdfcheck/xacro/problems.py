@@ -129,6 +129,7 @@ class Failure(Enum):
     WITHHELD = "withheld"
     FILE = "file"
     SUBMODULE = "submodule"
+    IGNORED = "ignored"
     SYNTAX = "syntax"
     TEXT = "text"
     PATTERN = "pattern"

@@ -110,6 +110,7 @@ def test_only_the_head_is_looked_at() -> None:
         (Kind.NOT_XML, "a.sdf", Treatment.SKIP, Treatment.LINT),
         (Kind.NOT_XML, "model.config", Treatment.SKIP, Treatment.LINT),
         (Kind.NOT_XML, "a.URDF", Treatment.LINT, Treatment.LINT),
+        (Kind.NOT_XML, "stage.world", Treatment.SKIP, Treatment.LINT),
         (Kind.OTHER_XML, "a.urdf", Treatment.LINT, Treatment.LINT),
         (Kind.OTHER_XML, "a.sdf", Treatment.SKIP, Treatment.NOTICE),
         (Kind.MISSPELT_ROOT, "a.sdf", Treatment.LINT, Treatment.LINT),

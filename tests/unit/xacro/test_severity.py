@@ -41,6 +41,7 @@ def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found
         ('<xacro:include filename="parts/*.xacro"/><link name="a"/>', [("XAC001", "warning")]),
         ('<xacro:include filename="parts/*.xacro" optional="true"/><link name="a"/>', []),
         ('<xacro:include filename="parts/a.xacro"/><link name="a"/>', [("XAC001", "error")]),
+        ('<xacro:include filename="/etc/no/such/a.xacro"/><link name="a"/>', [("XAC001", "warning")]),
         ('<link name="$(env NOT_SET_HERE)"/>', [("XAC001", "warning")]),
     ],
 )
