@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.regular import oddity
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import relative_path
 
 if TYPE_CHECKING:
     from sdfcheck.files.git import Ignores, Listing
@@ -22,6 +24,12 @@ _FOREIGN_FOLDERS = frozenset({"__pycache__", "node_modules", "site-packages"})
 # Folders that build tools write, known by what the tools leave in them.
 _BUILD_FOLDERS = frozenset({"build", "devel", "install", "log", "venv"})
 _BUILD_MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE", ".catkin", "CMakeCache.txt", "pyvenv.cfg")
+_REFUSED = re.compile(
+    r"(?:^|/)tests?(?:_?data)?/(?:[^/]*/)*(?:[^/]*[_.-])?"
+    r"(?:bad|broken|corrupt|errors?|fail|failing|faulty|illegal|incorrect|invalid|malformed|warning|wrong)"
+    r"(?:[_.-][^/]*)?(?:/|$)"
+)
+"""Files of tests that are to be refused."""
 
 
 class DiscoveredFile(NamedTuple):
@@ -58,7 +66,8 @@ def discover(
 ) -> Found:
     """Find the files that ``paths`` name, and the robot descriptions below the folders among them.
 
-    Hidden folders, ``node_modules``, ``site-packages``, ``__pycache__`` and the folders
+    Files of tests whose names say that they are wrong are left out. Hidden folders,
+    ``node_modules``, ``site-packages``, ``__pycache__`` and the folders
     of build tools are not entered, nor are symbolic links to folders. A file that was
     named is found whatever ``exclude`` says, unless ``force_exclude``. A folder that
     was named is walked even where it is hidden or ignored itself.
@@ -77,6 +86,8 @@ def discover(
             for file in walked:
                 if exclude(file):
                     left.skipped.append((file, "excluded by the configuration"))
+                elif _REFUSED.search(relative_path(file, path).replace(os.sep, "/")):
+                    left.skipped.append((file, "a test of faulty files, by its name"))
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):

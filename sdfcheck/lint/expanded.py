@@ -23,9 +23,10 @@ from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, is_unknown, prepare
-from sdfcheck.xacro.problems import MissingXacroPrefix, UnevaluatedExpression
+from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
+from sdfcheck.xacro.static.likely_mistakes import missing_prefixes
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
 
 # Lints a xacro file: as it is written, and as what it expands to.
@@ -50,29 +51,36 @@ def lint_xacro(
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
-    # So do those of an element in which a call of a macro is left.
-    left += _around_left(document)
-    found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
+    calls = _left_calls(document)
+    found += [
+        _with_cause(each, calls) for each in built if not any(_overlap(each.span, span) for span in left)
+    ]
     if expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
     return without_repeats(fold(found))
 
 
-def _with_cause(found: Diagnostic) -> Diagnostic:
-    """The same, with its own place as the cause where another file has what xacro may have been meant to read there."""
+def _with_cause(found: Diagnostic, calls: Mapping[tuple[str, int], Span]) -> Diagnostic:
+    """The same with its cause, where xacro may have been meant to read something there: a call, or a part of a file."""
+    if call := calls.get((found.span.source.real_path, found.span.start)):
+        return found._replace(cause=call)
     if found.cause is not None or not found.origins:
         return found
     is_left = found.span.text in KEYWORDS or BRACES.search(found.span.text)
     return found._replace(cause=found.span) if is_left else found
 
 
-def _around_left(document: Document) -> Iterator[Span]:
-    """The names of the elements around those that lack the prefix of xacro."""
-    for problem in document.problems:
-        for span in (problem.span, *problem.others) if isinstance(problem, MissingXacroPrefix) else ():
-            element = document.elements[bisect_right(document.scan.starts, span.start) - 1]
-            if element.parent is not None:
-                yield element.parent.span
+def _left_calls(document: Document) -> dict[tuple[str, int], Span]:
+    """The places of elements that lack the prefix of xacro, and of those around them → where that is reported."""
+    causes = {}
+    for reading in visible_definitions(document).readings:
+        written = reading.document
+        for problem in missing_prefixes(written):
+            for span in (problem.span, *problem.others):
+                element = written.elements[bisect_right(written.scan.starts, span.start) - 1]
+                for each in filter(None, (element, element.parent)):
+                    causes[written.source.real_path, each.span.start] = problem.span
+    return causes
 
 
 def _overlap(one: Span, other: Span) -> bool:

@@ -134,6 +134,8 @@ _BODY = frozenset({"link", "joint"})
 _TAG = pattern(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
+_CONFIGURED = pattern(r"[\s\">]@[A-Z][A-Z0-9_]*@[\s\"<]")
+"""A value that CMake or a script writes."""
 
 
 def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
@@ -313,6 +315,8 @@ def _without_comments(text: str) -> str:
 
 def _is_template(text: str, path: Path) -> bool:
     """Whether template code is left; most of its marks count only if the file's name says template."""
+    if "@" in text and _CONFIGURED.search(_without_comments(text)):
+        return True
     if path.suffix.lower() in TEMPLATE_SUFFIXES:
         return _holds(text, _TEMPLATE_MARKS)
     if "%" not in text or not _holds(text, _TEMPLATE_TAGS):

@@ -20,6 +20,8 @@ ETHANOL = b"ethanol\n  RDKit\n\n  9  8  0     0  0  0  0  0  0999 V2000\n> <PUBC
         ("a.sdf", b'<!DOCTYPE sdf SYSTEM "x.dtd"><sdf/>', Kind.SDF),
         ("a.sdf", b'<sdf version="1.9"/>\0', Kind.SDF),
         ("a.sdf", b'<gazebo version="1.0"><world/></gazebo>', Kind.SDF),
+        ("a.urdf", b'<robot name="r"><link name="@NAME@"/></robot>', Kind.TEMPLATE),
+        ("a.urdf", b'<robot name="a@b.org"><!-- "@NAME@" --><link name="b@c@d"/></robot>', Kind.URDF),
         ("a.world", b"<world name='w'/>", Kind.SDF),
         ("a.urdf", b'<robot name="r"/>', Kind.URDF),
         ("a.urdf", b'<robot xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"/>', Kind.URDF),
