@@ -107,7 +107,7 @@ class MisplacedElement(Rule):
             message += f"; it goes into {named(problem.places, 'or', most=3)}"
         fix = rename(problem.suggestion, element)
         if problem.ignored:
-            # What a simulator has recorded of a link, copied into the model, makes no other robot of it.
+            # The recorded state of a link, copied into the model, makes no other robot of it.
             is_recorded = parent.name == "link" and RECORD in problem.places
             severity = Severity.WARNING if is_recorded else self.severity
             yield self.diagnostic(element, message, fix=fix, severity=severity)

@@ -66,11 +66,9 @@ def discover(
 ) -> Found:
     """Find the files that ``paths`` name, and the robot descriptions below the folders among them.
 
-    Files of tests whose names say that they are wrong are left out. Hidden folders,
-    ``node_modules``, ``site-packages``, ``__pycache__`` and the folders
-    of build tools are not entered, nor are symbolic links to folders. A file that was
-    named is found whatever ``exclude`` says, unless ``force_exclude``. A folder that
-    was named is walked even where it is hidden or ignored itself.
+    Hidden folders, ``node_modules``, ``site-packages``, ``__pycache__`` and the folders of build tools are not
+    entered, nor are symbolic links to folders. A file that was named is found whatever ``exclude`` says, unless
+    ``force_exclude``. A folder that was named is walked even where it is hidden or ignored itself.
 
     Raises:
         WrongUsage: a path does not exist.
@@ -84,10 +82,9 @@ def discover(
             if not walked:
                 empty.append(path)
             for file in walked:
-                if exclude(file):
-                    left.skipped.append((file, "excluded by the configuration"))
-                elif _REFUSED.search(relative_path(file, path).replace(os.sep, "/")):
-                    left.skipped.append((file, "a test of faulty files, by its name"))
+                reason = "excluded by the configuration" if exclude(file) else _said_by_name(file, path)
+                if reason:
+                    left.skipped.append((file, reason))
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):
@@ -100,6 +97,12 @@ def discover(
                 found[key] = DiscoveredFile(path, named=True)
     files = sorted(found.values(), key=lambda file: file.path.as_posix())
     return Found(tuple(files), _once(left.skipped), tuple(empty), _once(left.unreadable))
+
+
+def _said_by_name(file: Path, top: Path) -> str:
+    """Why a file that was found in a folder is left out, by its path; empty if it is not."""
+    is_refused = _REFUSED.search(relative_path(file, top).replace(os.sep, "/"))
+    return "a test of faulty files, by its name" if is_refused else ""
 
 
 def _once(entries: list[tuple[Path, str]]) -> tuple[tuple[Path, str], ...]:
