@@ -130,6 +130,7 @@ class Failure(Enum):
     FILE = "file"
     SUBMODULE = "submodule"
     IGNORED = "ignored"
+    ABOVE = "above"
     SYNTAX = "syntax"
     TEXT = "text"
     PATTERN = "pattern"

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.files.git import is_ignored
+from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import names_in
 from sdfcheck.files.uris import empty_folder
 from sdfcheck.source.document import Document, Element
@@ -93,6 +94,8 @@ def with_reason(problem: Problem, document: Document) -> Problem:
             )
         if path is not None and is_ignored(path):
             return problem.changed(kind=Failure.IGNORED, detail=problem.detail.rpartition(": ")[0])
+        if folder := _folder_above(problem):
+            return problem.changed(kind=Failure.ABOVE, detail=folder)
         reason = _of_file(problem, document)
     else:
         return problem
@@ -273,6 +276,17 @@ def _path(problem: ExpansionFailure, document: Document) -> Path | None:
     """Where a missing file should be, as far as that is known."""
     name = problem.detail.rpartition(": ")[0]
     return visible_definitions(document).path_of(name, document, problem.span.source.path.parent)
+
+
+def _folder_above(problem: ExpansionFailure) -> str:
+    """The folder of the project above a file from which an include leads somewhere; empty if there is none."""
+    path, name = problem.span.source.path.absolute(), problem.detail.rpartition(": ")[0]
+    if "$" in name or os.path.isabs(name):
+        return ""
+    root = project_root(path)
+    above = (folder for folder in path.parents[1:] if folder == root or root in folder.parents)
+    found = next((folder for folder in above if os.path.isfile(folder / name)), None)
+    return "" if found is None else relative_path(found, path.parent)
 
 
 def _of_default(path: Path, written: str, document: Document) -> Reason | None:

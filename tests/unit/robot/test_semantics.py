@@ -129,6 +129,9 @@ def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path
     (package / ".setup_assistant").write_text(other.format("arm"))
     assert found(package, wrong) == [("SRD001", "hnd")]
     (package / ".setup_assistant").write_text(other.format("leg"))
+    assert found(package, wrong) == [("SRD001", "hnd")]
+    (package / "config").mkdir()
+    (package / "config" / "leg.srdf").touch()
     assert found(package, wrong) == []
 
 

@@ -49,6 +49,14 @@ def test_it_is_an_error_only_if_xacro_stops(folder: Path, content: str, expected
     assert found(folder, content) == expected
 
 
+def test_a_path_from_another_folder_is_for_another_program(folder: Path) -> None:
+    (folder / "urdf").mkdir()
+    (folder / "urdf" / "part.xacro").write_text(PART.format(""))
+    text = '<xacro:include filename="urdf/{}.xacro"/><link name="a"/>'
+    assert found(folder, text.format("part"), "urdf/robot.urdf.xacro") == [("XAC001", "warning")]
+    assert found(folder, text.format("prat"), "urdf/robot.urdf.xacro") == [("XAC001", "error")]
+
+
 @pytest.mark.parametrize(
     ("mistake", "code"),
     [
