@@ -619,10 +619,10 @@ def _kept_or_read(path: Path, open: Open, kind: _Kept[_T]) -> _T:
                     return kind.unpacked(rest)
         except (OSError, ValueError, TypeError, RecursionError):
             pass  # nothing is kept, or that of another one
-        found = kind.read(path, lambda file, limit: read_on(stream, file, limit))
+        row = kind.packed(kind.read(path, lambda file, limit: read_on(stream, file, limit)))
         if place is not None:
-            _keep(place, [key, *kind.packed(found)])
-        return found
+            _keep(place, [key, *row])
+        return kind.unpacked(row)  # rounded as it is kept, so that every run sees the same
 
 
 _EDITION = 3
