@@ -117,6 +117,8 @@ _OFF = frozenset({"false", "False", "0"})
 _OF_ENVIRONMENT = re.compile(r"^\$\(optenv\s+\w+\s+(\w+)\s*\)$")
 _FILLED = "any_"
 _MOST_VARIANTS = 8
+_MOST_ERRORS = 5
+"""With a value that brings more of them the robot is not meant to be at all."""
 _MOST_ELEMENTS = 6_000
 """So many elements all variants of a robot may have together, and each by itself."""
 
@@ -149,7 +151,8 @@ def _lint_variants(
             continue
         if left is not None and left <= seen:
             return
-        for each in new({name: value}) or ():
+        errors = new({name: value}) or []
+        for each in errors if len(errors) <= _MOST_ERRORS else ():
             if left is None or _where(each) in left:
                 seen.add(_where(each))
                 message = f"{each.message} (with `{name}:={value}`)"
