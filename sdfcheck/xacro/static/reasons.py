@@ -9,6 +9,8 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from sdfcheck.files.git import is_ignored
+from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import names_in
 from sdfcheck.files.uris import empty_folder
 from sdfcheck.source.document import Document, Element
@@ -85,8 +87,15 @@ def with_reason(problem: Problem, document: Document) -> Problem:
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
         reason = _of_expression(problem, visible_definitions(document)) or _of_value(problem, document)
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.FILE:
-        if folder := _empty_folder(problem, document):
-            return problem.changed(kind=Failure.SUBMODULE, detail=folder)
+        path = _path(problem, document)
+        if path is not None and (folder := empty_folder(document, path)):
+            return problem.changed(
+                kind=Failure.SUBMODULE, detail=relative_path(folder, problem.span.source.path.parent)
+            )
+        if path is not None and is_ignored(path):
+            return problem.changed(kind=Failure.IGNORED, detail=problem.detail.rpartition(": ")[0])
+        if folder := _folder_above(problem):
+            return problem.changed(kind=Failure.ABOVE, detail=folder)
         reason = _of_file(problem, document)
     else:
         return problem
@@ -263,12 +272,21 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     return _of_default(path, problem.span.text, document)
 
 
-def _empty_folder(problem: ExpansionFailure, document: Document) -> str:
-    """The folder without content that a missing file should be in, as seen from the file that names it."""
-    name, folder = problem.detail.rpartition(": ")[0], problem.span.source.path.parent
-    if "$" in name or document.library is None or not (empty := empty_folder(document, folder / name)):
+def _path(problem: ExpansionFailure, document: Document) -> Path | None:
+    """Where a missing file should be, as far as that is known."""
+    name = problem.detail.rpartition(": ")[0]
+    return visible_definitions(document).path_of(name, document, problem.span.source.path.parent)
+
+
+def _folder_above(problem: ExpansionFailure) -> str:
+    """The folder of the project above a file from which an include leads somewhere; empty if there is none."""
+    path, name = problem.span.source.path.absolute(), problem.detail.rpartition(": ")[0]
+    if "$" in name or os.path.isabs(name):
         return ""
-    return relative_path(empty, folder)
+    root = project_root(path)
+    above = (folder for folder in path.parents[1:] if folder == root or root in folder.parents)
+    found = next((folder for folder in above if os.path.isfile(folder / name)), None)
+    return "" if found is None else relative_path(found, path.parent)
 
 
 def _of_default(path: Path, written: str, document: Document) -> Reason | None:
