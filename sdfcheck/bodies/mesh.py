@@ -649,13 +649,13 @@ def skin_at(path: Path, open: Open = open_regular, shelves: Shelves | None = Non
             with suppress(ValueError, TypeError, AttributeError):  # where it is not what was written
                 if row is not None:
                     return _unpacked_skin(row)
-            found = read_skin(path, read)
+            packed = _packed_skin(read_skin(path, read))
     except OSError:
         return None
-    _keep(used, path, _SKINS, [stamp, *_packed_skin(found)])
+    _keep(used, path, _SKINS, [stamp, *packed])
     if shelves is None:
         used.save()
-    return found
+    return _unpacked_skin(packed)  # rounded as it is kept, so that every run sees the same
 
 
 @contextmanager
@@ -663,23 +663,7 @@ def _opened(path: Path, open: Open) -> Iterator[tuple[Read, str]]:
     """A mesh file to be read, and its stamp."""
     with open(path, LIMIT) as stream:
         status = os.fstat(stream.fileno())
-<<<<<<< HEAD
         yield lambda file, limit: read_on(stream, file, limit), f"{status.st_size} {status.st_mtime_ns}"
-=======
-        key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
-        place = _place(key, kind.ending)
-        try:
-            if place is not None:
-                said, *rest = json.loads(read_regular(place, MEGABYTE))
-                if said == key:
-                    return kind.unpacked(rest)
-        except (OSError, ValueError, TypeError, RecursionError):
-            pass  # nothing is kept, or that of another one
-        row = kind.packed(kind.read(path, lambda file, limit: read_on(stream, file, limit)))
-        if place is not None:
-            _keep(place, [key, *row])
-        return kind.unpacked(row)  # rounded as it is kept, so that every run sees the same
->>>>>>> h_strangers3-a
 
 
 def _mesh_kept(shelves: Shelves, path: Path, stamp: str) -> Mesh | None:

@@ -53,16 +53,11 @@ def lint_xacro(
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
-<<<<<<< HEAD
-    found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
-    if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
-=======
     calls = _left_calls(document)
     found += [
         _with_cause(each, calls) for each in built if not any(_overlap(each.span, span) for span in left)
     ]
-    if expander is not None and not argument_sets and len(prepared.documents) == 1:
->>>>>>> h_strangers3-a
+    if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
     return without_repeats(fold(found))
 
