@@ -107,7 +107,7 @@ def _judged(
             raise WrongUsage(f"--verify-with {judge.value}: not installed: {answer.error}")
         return answer
 
-    # What is compared does not depend on shapes, whose meshes may be missing, or of a format that it does not read.
+    # Nothing of it depends on shapes, whose meshes may be missing, or of a format that the consumer does not read.
     for text_of in (_text, _text_without_shapes):
         before, after = (
             read(source, drawn, text_of(source)),

@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.consumers.reaction import Consumer
-from sdfcheck.files.python import python_program
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.xacro.process.worker import python_program
 
 VARIABLE = "SDFCHECK_ENGINES"
 """The environment variable with the Python interpreter of another environment, which has the packages."""

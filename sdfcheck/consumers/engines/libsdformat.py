@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.consumers.engines.child import Refused, say
-from sdfcheck.files.python import python_program
+from sdfcheck.xacro.process.worker import python_program
 
 _VALID = "Valid."
 """Printed where there is no error; the exit code does not say it in all releases."""

@@ -10,7 +10,6 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
-from sdfcheck.files.python import python_program
 from sdfcheck.source.errors import REPORT_IT, WrongUsage
 from sdfcheck.xacro.process.watch import Limits, Watch, is_needed
 
@@ -25,6 +24,28 @@ OLDEST, NEWEST = (2, 1), (3,)
 """The versions of xacro that are understood: from the first on, before the second."""
 
 _METADATA = re.compile(r"xacro-(\d+(?:\.\d+)*)[^/]*\.(?:dist|egg)-info$", re.IGNORECASE)
+
+
+def python_program() -> str:
+    """The path of the running interpreter's program, or of another Python where an application embeds the interpreter.
+
+    Raises:
+        WrongUsage: neither is found.
+    """
+    if sys.executable:
+        return sys.executable
+    from shutil import which
+
+    name = "python.exe" if os.name == "nt" else os.path.join("bin", "python3")
+    for prefix in (sys.exec_prefix, sys.base_exec_prefix):
+        if os.access(program := os.path.join(prefix, name), os.X_OK):
+            return program
+    program = which("python3") or which("python") or ""
+    if not program:
+        raise WrongUsage(
+            "the application that runs sdfcheck does not say where Python is: set `sys.executable`"
+        )
+    return program
 
 
 class Worker:

@@ -16,13 +16,13 @@ from typing import Any
 
 import pytest
 
-from sdfcheck.files.python import python_program
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.process import interpreter, walls, worker
 from sdfcheck.xacro.process.watch import Limits
+from sdfcheck.xacro.process.worker import python_program
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 IMPORTED = "import sys; sys.path += sys.argv[1:]; import sdfcheck.xacro.process.child as child; "
