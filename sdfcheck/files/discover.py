@@ -26,10 +26,11 @@ _BUILD_FOLDERS = frozenset({"build", "devel", "install", "log", "venv"})
 _BUILD_MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE", ".catkin", "CMakeCache.txt", "pyvenv.cfg")
 _REFUSED = re.compile(
     r"(?:^|/)tests?(?:_?data)?/(?:[^/]*/)*(?:[^/]*[_.-])?"
-    r"(?:bad|broken|corrupt|errors?|fail|failing|faulty|illegal|incorrect|invalid|malformed|warning|wrong)"
+    r"(?:bad|broken|corrupt|errors?|failing|faulty|illegal|incorrect|invalid|malformed|wrong)"
     r"(?:[_.-][^/]*)?(?:/|$)"
 )
 """Files of tests that are to be refused."""
+FAULTY = "a test of faulty files, by its name"
 
 
 class DiscoveredFile(NamedTuple):
@@ -109,7 +110,7 @@ def discover(
 def _said_by_name(file: Path, top: Path) -> str:
     """Why a file that was found in a folder is left out, by its path; empty if it is not."""
     is_refused = _REFUSED.search(relative_path(file, top).replace(os.sep, "/"))
-    return "a test of faulty files, by its name" if is_refused else ""
+    return FAULTY if is_refused else ""
 
 
 def _once(entries: list[tuple[Path, str]]) -> tuple[tuple[Path, str], ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from sdfcheck.files.discover import FAULTY
 from sdfcheck.lint.diagnostic import Diagnostic, Severity, counted, listed
 from sdfcheck.lint.run import Run
 from sdfcheck.source.record import NamedTuple
@@ -53,6 +54,8 @@ def closing_line(run: Run, view: View = EVERYTHING) -> str:
             return f"{fixed}Nothing else found in {files}."
         hidden = any(number and not kind >= view.least for kind, number in numbers.items())
         unseen = [f"infos are shown with --min-severity {Severity.INFO.value}"] if hidden else []
+        if faulty := sum(reason == FAULTY for _, reason in run.skipped):
+            unseen.append(f"{counted(faulty, 'test')} of faulty files left out")
         return f"{fixed}Found {listed(counts)} in {files}{_in_brackets([*_fixes(run), *unseen])}."
     # Only a clean result can be mistaken for more than was looked at.
     unseen = [counted(len(run.skipped), "file") + " skipped"] if run.skipped else []

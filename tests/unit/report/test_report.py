@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from sdfcheck.files.discover import FAULTY
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.report import OutputFormat, render
@@ -122,6 +123,10 @@ SAFE, UNSAFE = fixed(ERROR, "b"), fixed(ERROR, "b", safe=False)
         (Run((), (), skipped=((Path("b.sdf"), "empty"),) * 2), "No files to lint (2 files skipped)."),
         (run(ERROR), "Found 1 error in 1 file."),
         (run(ERROR, suppressed=4, files=2), "Found 1 error in 2 files."),
+        (
+            run(ERROR, skipped=((Path("test/bad.sdf"), FAULTY), (Path("b.sdf"), "template"))),
+            "Found 1 error in 1 file (1 test of faulty files left out).",
+        ),
         (run(WARNING, ERROR, WARNING, files=3), "Found 1 error and 2 warnings in 3 files."),
         (run(ERROR, WARNING, INFO), "Found 1 error, 1 warning and 1 info in 1 file."),
         (run(INFO, INFO), "Found 2 infos in 1 file."),
