@@ -212,16 +212,22 @@ class Ignores:
 
 def is_ignored(path: str | os.PathLike[str]) -> bool:
     """Does a repository leave out a file, which need not be there, as what a build makes or a download brings?"""
-    absolute = Path(os.path.abspath(path))
-    root = work_tree(absolute.parent)
+    ignores = ignores_in(os.path.dirname(os.path.abspath(path)))
+    return ignores is None or ignores.ignore(Path(path), folder=False)
+
+
+def ignores_in(folder: str, _: object = None) -> Ignores | None:
+    """What decides about the files in a folder, which may not be there; None where it is ignored itself."""
+    absolute = Path(os.path.abspath(folder))
+    root = work_tree(absolute)
     if root is None:
-        return False
+        return Ignores()
     ignores = Ignores()._reading(root, ".git/info/exclude").entering(root)
-    for place in (*reversed([each for each in absolute.parents if root in each.parents]), absolute):
-        if ignores.ignore(place, folder=place != absolute):
-            return True
+    for place in reversed([each for each in (absolute, *absolute.parents) if root in each.parents]):
+        if ignores.ignore(place, folder=True):
+            return None
         ignores = ignores.entering(place)
-    return False
+    return ignores
 
 
 def _compile(lines: list[str]) -> GitIgnoreSpec:

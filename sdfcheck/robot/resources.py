@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import library_of
@@ -99,9 +100,14 @@ class FileUse(Part):
     @property
     def is_ignored(self) -> bool:
         """Does git ignore the file where it is looked for first: does a build make it, or a download bring it?"""
-        from sdfcheck.files.git import is_ignored
+        from sdfcheck.files.git import ignores_in
 
-        return self.location is not None and any(map(is_ignored, self.location.tried[:1]))
+        library = self.document.library
+        if self.location is None or library is None or not self.location.tried:
+            return False
+        path = self.location.tried[0]
+        ignores = library.disk.view(os.path.dirname(os.path.abspath(path)), ignores_in)
+        return ignores is None or ignores.ignore(Path(path), folder=False)
 
     @property
     def leads_nowhere(self) -> bool:
