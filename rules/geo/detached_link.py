@@ -112,7 +112,7 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
     if len(drawn) < 2 or not all(map(is_measured, drawn)):
         return []
     least = LEAST if model.has_mesh else SCHEMATIC * max(map(length, drawn))
-    found = []
+    found, touching = [], {}
     for joint in model.joints:
         link = joint.child_link
         if link is None or not holds(joint) or not link.shapes or link.parent_joints[:1] != (joint,):
@@ -121,13 +121,15 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
             continue
         bound = max(least, MOST * length(link))
         others = [other for other in (joint.parent_link, *drawn) if other is not None and other is not link]
-        distance = nearest(link, others, bound)
-        if not bound < distance < inf and link.has_mesh:
-            bound = max(NEAR, SHARE * length(link))
-            distance = joint.gap(bound)
-        if bound < distance < inf:
+        if bound < (distance := nearest(link, others, bound)) < inf:
             found.append((joint, link, distance))
-    return found
+        elif link.has_mesh:
+            touching[joint] = max(NEAR, SHARE * length(link))
+    apart = ((joint, joint.child_link, distance) for joint, distance in model.gaps(touching).items())
+    return [
+        *found,
+        *((joint, link, distance) for joint, link, distance in apart if distance and link is not None),
+    ]
 
 
 def is_measured(link: Link) -> bool:

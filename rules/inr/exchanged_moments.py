@@ -20,6 +20,8 @@ FITS, DIFFERS = 1.5, 2.2
 NEAR, EXACT, ROUNDED = 0.05, 0.125, 0.002
 """Nearer than the first to the moments of the link's only solid, they are those of it; their quotient is off by less
 than the second of what it is off as they are; the third may come from rounding."""
+ACROSS = 0.1
+"""Of the cosine: a cylinder with a smaller one is across an axis."""
 PAIRS = ((1, 2), (0, 1), (0, 2))
 NAMES = ("ixx", "iyy", "izz")
 WHEEL = (
@@ -110,7 +112,7 @@ def exchanged(inertial: Inertial) -> tuple[int, ...]:
     """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
     if not is_doubtful(inertial) or len(set(inertial.tensor[:3])) == 1:
         return ()
-    if not is_weighed(inertial) or is_turned(inertial):
+    if not is_weighed(inertial) or is_turned(inertial) or is_about_axis(inertial):
         return ()
     moments, mass = inertial.tensor, inertial.mass.number
     if not mass > 0 or not min(moments[:3]) > 0 or max(map(abs, moments[3:])) > min(moments[:3]) / 10:
@@ -119,6 +121,31 @@ def exchanged(inertial: Inertial) -> tuple[int, ...]:
         return ()
     found = of_another_body(inertial) or of_other_axes(inertial)
     return found if found and inertial.link.extent is not None else ()
+
+
+def is_about_axis(inertial: Inertial) -> bool:
+    """Is the largest moment of a wheel about its axis, and its cylinder across that? Then the cylinder is wrong."""
+    link = inertial.link
+    joint = next(iter(link.parent_joints), None)
+    shapes = link.collisions or link.visuals
+    if (
+        joint is None
+        or joint.type != "continuous"
+        or len(shapes) != 1
+        or shapes[0].geometry.shape != "cylinder"
+    ):
+        return False
+    axis, moments = list(map(abs, joint.axis.xyz)), inertial.tensor[:3]
+    along = shapes[0].along
+    if (
+        not joint.is_urdf
+        or len(axis) != 3
+        or along is None
+        or float(shapes[0].geometry.length) > 2 * float(shapes[0].geometry.radius)
+    ):
+        return False
+    largest = axis.index(max(axis))
+    return moments.index(max(moments)) == largest and abs(along[largest]) < ACROSS
 
 
 def of_another_body(inertial: Inertial) -> tuple[int, ...]:

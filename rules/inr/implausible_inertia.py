@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck_rules.inr.excess_density import is_too_dense
 from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
@@ -39,6 +40,11 @@ class ImplausibleInertia(Rule):
             why="twice a solid ball: a hollow one",
         ),
         Good(
+            "<inertial><mass>900</mass><inertia><ixx>0.0009</ixx><iyy>0.0009</iyy><izz>0.0009</izz></inertia></inertial>"
+            '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
+            why="it is the mass that is wrong",
+        ),
+        Good(
             "<inertial><mass>2</mass><inertia><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
             '<collision name="c"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></collision>',
             why="a mesh that is not on this computer may be of any size",
@@ -47,7 +53,11 @@ class ImplausibleInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_far_off(inertial) and inertial.inertia is not None and not is_unit(inertial)
+        if not is_far_off(inertial) or inertial.inertia is None or is_unit(inertial):
+            return False
+        return ratio(inertial) > 1 or not is_too_dense(
+            inertial
+        )  # else the mass is wrong, which another rule says
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"

@@ -5,8 +5,8 @@ from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
 
 LEAST, SHARE = 0.005, 0.05
 """m, and of the distance: joints that are made by hand differ by less."""
-TWINS = 2
-"""Joints between the same meshes that agree."""
+TWINS, SPREAD = 2, 3.0
+"""Joints between the same meshes that agree, and the times of what is between them: parts may have been measured."""
 MOST = 3
 """Pairs: a robot with more of them is not meant to be symmetric."""
 JOINT = (
@@ -138,7 +138,7 @@ def misplaced(model: Model) -> list[tuple[Joint, list[Joint]]]:
         origins = [origin_of(each) for each in (joint, *twins)]
         if look and len(twins) >= TWINS and all(len(origin) == 3 for origin in origins):
             apart = [dist(origins[1], origin) for origin in origins]
-            if max(apart[1:]) <= LEAST < apart[0]:
+            if apart[0] > max(LEAST, SPREAD * max(apart[1:])):
                 found.append((joint, twins))
     return found
 

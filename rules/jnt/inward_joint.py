@@ -55,7 +55,7 @@ class InwardJoint(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        if joint.type not in {"revolute", "prismatic"} or joint.model is None or not joint.model.has_mesh:
+        if not joint.is_one_sided or joint.model is None or not joint.model.has_mesh:
             return False
         reach = joint.reach
         if reach is None or reach.within - reach.opposite < MORE:

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
-from math import inf, isclose
+from math import hypot, inf, isclose
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 from sdfcheck_rules.jnt.opposed_axis import is_opposed
 
 NEAR = 0.02
@@ -26,6 +26,14 @@ LEGS = (
 )
 
 
+FINGER = (
+    '<link name="{0}"><visual><origin xyz="0 {1} 0"/><geometry><box size="0.02 0.01 0.05"/></geometry></visual></link>'
+    '<joint name="{0}_joint" type="prismatic"><origin xyz="0 {1} 0"/><parent link="palm"/><child link="{0}"/>'
+    '<axis xyz="{2}"/><limit lower="0" upper="0.04" effort="1" velocity="1"/></joint>'
+)
+GRIPPER = f'<robot name="r"><link name="palm"/>{FINGER.format("one", 0.01, "0 1 0")}{{}}</robot>'
+
+
 def arm(axis: str, lower: str, upper: str) -> str:
     """The counterpart of the arm."""
     return JOINT.format("right", "arm", -0.1, 1, axis, lower, upper)
@@ -38,7 +46,8 @@ class UnmirroredAxis(Rule):
     one does so about the mirrored axis, or from -2 to 0 about the opposite one. Of 1,131 pairs of joints in public
     robots whose limits are not symmetric 1,120 agree; six of the others are hips and shoulders of a humanoid that
     reach into its body. Robots are looked at that have two other such pairs which agree. Of a part that is there twice,
-    with the same mesh, axis and limits, nothing is mirrored.
+    with the same mesh, axis and limits, nothing is mirrored. The two fingers of a gripper slide in opposite directions,
+    as all of 60 public ones do: if both go the same way along one line, they never close.
     """
 
     code = "JNT024"
@@ -60,6 +69,11 @@ class UnmirroredAxis(Rule):
             " about this axis",
         ),
         Bad(arm("«0 1 0»", "-2", "1"), says="the mirror image of `left_arm_joint` from -1 to 2"),
+        Bad(
+            FINGER.format("two", -0.01, "«0 1 0»"),
+            scaffold=GRIPPER,
+            says="joint `two_joint` slides the same way as `one_joint`, along one line and as far",
+        ),
     )
     good = (
         Good(arm("0 1 0", "-1", "2")),
@@ -79,11 +93,17 @@ class UnmirroredAxis(Rule):
             ),
             why="it carries nothing that can be seen",
         ),
+        Good(FINGER.format("two", -0.01, "0 -1 0"), scaffold=GRIPPER),
+        Good(
+            FINGER.format("two", 0.01, "0 1 0").replace('"0 0.01 0"/><geo', '"0 0 0.3"/><geo'),
+            scaffold=GRIPPER,
+            why="two drawers",
+        ),
     )
 
     @staticmethod
     def applies(model: Model) -> bool:
-        return bool(unmirrored(model))
+        return bool(unmirrored(model) or parallel(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
         for joint, mirror in unmirrored(model):
@@ -96,6 +116,45 @@ class UnmirroredAxis(Rule):
                 f" {left:.4g} to {right:.4g} about this axis",
                 labels={mirror.axis.xyz: "the axis of its counterpart", joint.axis.limit: "its limits"},
             )
+        for joint, other in parallel(model):
+            yield self.diagnostic(
+                joint.axis.xyz,
+                f"{joint.title} slides the same way as `{other.name}`, along one line and as far: they never meet",
+                labels={other.axis.xyz: "the axis of the other one", joint.axis.limit: "its limits"},
+            )
+
+
+def parallel(model: Model) -> list[tuple[Joint, Joint]]:
+    """The pairs of joints, the later first, that are alone on their parent and slide the same way along one line."""
+    on: dict[Link | None, list[Joint]] = {}
+    for joint in model.joints:
+        if joint.type == "prismatic":
+            on.setdefault(joint.parent_link, []).append(joint)
+    pairs = ((pair[1], pair[0]) for link, pair in on.items() if link is not None and len(pair) == 2)
+    return [(later, first) for later, first in pairs if is_parallel(later, first)]
+
+
+def is_parallel(joint: Joint, other: Joint) -> bool:
+    """Does it slide along the line of another one, to where that slides? Their parts are in line as well."""
+    along, line = joint.direction, other.direction
+    part, opposite = joint.child_link, other.child_link
+    if along is None or line is None or part is None or opposite is None or not joint.is_one_sided:
+        return False
+    cosine = sum(a * b for a, b in zip(along, line, strict=True))
+    here, there = center(part), center(opposite)
+    if abs(cosine) < 1 - NEAR or side(joint, other) * cosine <= 0 or here is None or there is None:
+        return False
+    offset = [a - b for a, b in zip(here, there, strict=True)]
+    reach = sum(a * b for a, b in zip(offset, along, strict=True))
+    return hypot(*offset) ** 2 - reach**2 <= reach**2
+
+
+def center(link: Link) -> tuple[float, ...] | None:
+    """The middle of its shapes in its robot, all joints at zero (m); None where that is not known."""
+    if link.at_rest is None or link.extent is None:
+        return None
+    x, y, z = link.extent.center
+    return link.at_rest.applied_to((x, y, z))
 
 
 def unmirrored(model: Model) -> list[tuple[Joint, Joint]]:
@@ -142,7 +201,9 @@ def side(joint: Joint, mirror: Joint) -> int:
         return 0
     is_same, is_opposite = (
         all(
-            isclose(own, other, rel_tol=NEAR, abs_tol=NEAR)
+            isclose(
+                own, other, rel_tol=NEAR, abs_tol=NEAR if joint.type == "revolute" else NEAR * (high - low)
+            )
             for own, other in zip((low, high), ends, strict=True)
         )
         for ends in ((left, right), (-right, -left))

@@ -13,14 +13,15 @@ import math
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import contextmanager, suppress
 from itertools import islice, pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, BinaryIO, Generic, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 from urllib.parse import unquote
+from warnings import catch_warnings, simplefilter
 
 from sdfcheck.bodies.box import Box, around
-from sdfcheck.files.overwrite import overwrite
+from sdfcheck.files.library import Shelves
 from sdfcheck.files.regular import MEGABYTE, open_regular, read_on, read_regular
 from sdfcheck.source.record import NamedTuple
 
@@ -61,6 +62,8 @@ class Mesh(NamedTuple):
     """Do consumers agree on its axes? Not for glTF, which has y up."""
     files: tuple[str, ...] = ()
     """The files that it names: libraries of materials, pictures, buffers."""
+    stamp: str = ""
+    """Tells it from what the file holds at another time; empty for what was not read by ``mesh_at``."""
 
     @property
     def is_pointer(self) -> bool:
@@ -75,25 +78,71 @@ class Faulty(ValueError):
 Read = Callable[[Path, int], bytes]
 Open = Callable[[Path, int], BinaryIO]
 """Read, or open, a file of at most so many bytes; raise OSError."""
+if TYPE_CHECKING:
+    Content: TypeAlias = tuple[Mesh, Callable[[], Iterable[Points]]]
+    """A mesh, and what gives its triangles (n, 3, 3), part by part (m)."""
+_DECODING = (
+    ArithmeticError,
+    AttributeError,
+    IndexError,
+    KeyError,
+    RecursionError,
+    TypeError,
+    ValueError,
+)
+"""The errors where a file is not what its format demands."""
 
 
 def read_mesh(path: Path, read: Read = read_regular) -> Mesh:
     """Measure a mesh file. Raises OSError where it cannot be read."""
+    return _content(path, read)[0]
+
+
+def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
+    """The skin of a mesh file (m), without scale; None where its triangles are not known. Raises OSError."""
+    return _skin(_content(path, read))
+
+
+def _content(path: Path, read: Read) -> Content:
     data = read(path, LIMIT)
     promised = ENDINGS.get(path.suffix.lower(), "")
     if not data:
-        return Mesh(promised, fault="is empty")
+        return Mesh(promised, fault="is empty"), tuple
     if data.startswith(b"version https://git-lfs"):
-        return Mesh("", fault=_POINTER)
+        return Mesh("", fault=_POINTER), tuple
     found = _format(data, promised)
     if not found:
-        return Mesh("", fault=f"is not {_article(promised)} file" if promised else "")
+        return Mesh("", fault=f"is not {_article(promised)} file" if promised else ""), tuple
     try:
-        return _READERS[found](data)
+        mesh, triangles = _READERS[found](data)
     except Faulty as error:
-        return Mesh(found, fault=str(error))
-    except (ArithmeticError, IndexError, KeyError, RecursionError, TypeError, ValueError, AttributeError):
-        return Mesh(found, fault="cannot be decoded")
+        return Mesh(found, fault=str(error)), tuple
+    except _DECODING:
+        return Mesh(found, fault="cannot be decoded"), tuple
+    return mesh, tuple if found in {"COLLADA", "OBJ"} and len(data) > _MOST_TEXT else triangles
+
+
+_MOST_TEXT = 32 * MEGABYTE
+"""Texts take many times their size in memory until they are numbers."""
+_MOST_TRIANGLES, _LEAST_TRIANGLES = 5_000_000, 1_000
+"""Parts of a file that are placed often would be endless, be they large or small: each counts as so many at least."""
+
+
+def _skin(content: Content) -> Skin | None:
+    import numpy as np
+
+    from sdfcheck.bodies.solid import skin_of
+
+    found, count = [], 0
+    try:
+        for part in content[1]():
+            found.append(part)
+            count += max(len(part), _LEAST_TRIANGLES)
+            if count > _MOST_TRIANGLES:
+                return None
+    except _DECODING:
+        return None
+    return skin_of(np.concatenate(found) if len(found) > 1 else found[0]) if found else None
 
 
 def _article(name: str) -> str:
@@ -124,33 +173,31 @@ def _is_binary_stl(data: bytes, promised: str) -> bool:
     return needed == len(data) or (promised == "STL" and not is_text and b"\0" in data[:4096])
 
 
-def _read_stl(data: bytes) -> Mesh:
+def _read_stl(data: bytes) -> Content:
     if not _is_binary_stl(data, "STL"):
-        return _read_text_stl(data)
-    count = int.from_bytes(data[80:84], "little")
-    there = (len(data) - 84) // 50
-    if count > there:
-        raise Faulty(f"ends after {there} of the {count} triangles that its header announces")
-    if not count:
-        raise Faulty("has no triangle")
-    return Mesh("STL", _bounds(_stl_corners(data, count)), count)
+        corners = _text_stl_corners(data)
+    else:
+        count = int.from_bytes(data[80:84], "little")
+        there = (len(data) - 84) // 50
+        if count > there:
+            raise Faulty(f"ends after {there} of the {count} triangles that its header announces")
+        if not count:
+            raise Faulty("has no triangle")
+        corners = _stl_corners(data, count)
+    number = len(corners) // 3
+    return Mesh("STL", _bounds(corners), number), lambda: [corners[: 3 * number].reshape(-1, 3, 3)]
 
 
 def _stl_corners(data: bytes, count: int) -> Any:
-    """The corners of a binary STL's triangles, shape (3 n, 3)."""
+    """The corners of a binary STL's triangles, shape (3 n, 3), one coordinate after the other in memory."""
     import numpy as np
 
     row = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-    return np.frombuffer(data, row, count, 84)["corners"].reshape(-1, 3)
+    return np.frombuffer(data, row, count, 84)["corners"].reshape(-1, 3).T.copy().T
 
 
 _FACET = 21
 """Words of a facet in a text STL: facet normal x y z outer loop, three times vertex x y z, endloop endfacet."""
-
-
-def _read_text_stl(data: bytes) -> Mesh:
-    corners = _text_stl_corners(data)
-    return Mesh("STL", _bounds(corners), len(corners) // 3)
 
 
 def _text_stl_corners(data: bytes) -> Points:
@@ -160,39 +207,57 @@ def _text_stl_corners(data: bytes) -> Points:
     if start < 0 or end < 0:
         raise Faulty("has no triangle")
     words = data[start : end + len(b"endfacet")].split()
-    columns = [8, 9, 10, 12, 13, 14, 16, 17, 18]
     if len(words) % _FACET == 0 and {word.lower() for word in words[7::_FACET]} == {b"vertex"}:
-        return np.array(words).reshape(-1, _FACET)[:, columns].astype(float).reshape(-1, 3)
+        columns = (words[column::_FACET] for column in (8, 9, 10, 12, 13, 14, 16, 17, 18))
+        return np.asarray(np.array([_numbers(b" ".join(column)) for column in columns]).T.reshape(-1, 3))
     # several solids, or comments
     found = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data, re.IGNORECASE)
     return np.array(found).astype(float).reshape(-1, 3)
 
 
-def _read_obj(data: bytes) -> Mesh:
-    corners, faces = _obj_parts(data)
-    triangles = sum(max(len(face.split()) - 2, 0) for face in faces)
-    if not triangles:
-        raise Faulty("has no face")
-    named = re.findall(rb"^[ \t]*mtllib[ \t]+(.+?)[ \t\r]*$", data, re.MULTILINE)
-    return Mesh(
-        "OBJ", _bounds(corners), triangles, files=_names(name.decode(errors="replace") for name in named)
-    )
-
-
-def _obj_parts(data: bytes) -> tuple[Points, list[bytes]]:
-    """The corners (n, 3) of an OBJ file, and the texts of its faces."""
+def _read_obj(data: bytes) -> Content:
     import numpy as np
 
-    rows = [line.split()[:3] for line in re.findall(rb"^[ \t]*v[ \t]+(.+)$", data, re.MULTILINE)]
-    corners = np.array(rows).astype(float).reshape(-1, 3)
-    return corners, re.findall(rb"^[ \t]*f[ \t]+(.+)$", data, re.MULTILINE)
+    lines = data.replace(b"\t", b" ").replace(b"\r", b"\n").split(b"\n")
+    if b"\n " in data:
+        lines = [line.strip() for line in lines]
+    rows = [line for line in lines if line[:2] == b"v "]
+    faces = [line for line in lines if line[:2] == b"f "]
+    words = b" ".join(faces).split()
+    triangles = len(words) - 3 * len(faces)
+    if triangles <= 0:
+        raise Faulty("has no face")
+    numbers = _numbers(b" ".join(rows).replace(b"v", b" "))
+    width = len(rows[0].split()) - 1 if rows else 3
+    if len(numbers) == width * len(rows):
+        corners = numbers.reshape(-1, width)[:, :3]
+    else:
+        corners = np.array([row.split()[1:4] for row in rows]).astype(float)
+    named = (line[7:] for line in lines if line[:7] == b"mtllib ")
+    files = _names(name.decode(errors="replace") for name in named)
+    return Mesh("OBJ", _bounds(corners), triangles, files=files), lambda: [
+        corners[_obj_triangles(words, faces)]
+    ]
 
 
-def _read_collada(data: bytes) -> Mesh:
-    return _collada(data).mesh()
+def _obj_triangles(words: Sequence[bytes], faces: Sequence[bytes]) -> Any:
+    """The corners (n, 3) of faces, whose words are such as ``f 12/3/4 5/6/7 8/9/10``, all with as many numbers."""
+    import numpy as np
+
+    corners = [word for word in words if word != b"f"]
+    first = corners[0].split(b"/")
+    text = b" ".join(corners)
+    numbers, width = _numbers(text.replace(b"/", b" "), int), len(first) - first.count(b"")
+    if text.count(b"/") == (len(first) - 1) * len(corners) and len(numbers) == width * len(corners):
+        numbers = numbers[::width]
+    else:
+        numbers = np.array([int(word.split(b"/")[0]) for word in corners])
+    are_triangles = words[::4].count(b"f") == len(faces) and len(corners) == 3 * len(faces)
+    sides = [3] * len(faces) if are_triangles else [len(face.split()) - 1 for face in faces]
+    return _fans(sides, np.where(numbers > 0, numbers - 1, numbers))
 
 
-def _collada(data: bytes) -> _Collada:
+def _read_collada(data: bytes) -> Content:
     from lxml import etree
 
     try:
@@ -203,7 +268,8 @@ def _collada(data: bytes) -> _Collada:
         root = etree.fromstring(data, parser)
     except etree.XMLSyntaxError as error:
         raise Faulty(f"is not well-formed XML ({error.msg})") from None
-    return _Collada(root)
+    collada = _Collada(root)
+    return collada.mesh(), collada.triangles
 
 
 class _Collada:
@@ -272,7 +338,7 @@ class _Collada:
         """The bounds of a geometry, or of that of a controller, and its triangles."""
         element = self._unskinned(element)
         if element not in self.measured:
-            points = (self._positions(vertices) for vertices in self._all(element, "vertices"))
+            points = (self._points(vertices) for vertices in self._all(element, "vertices"))
             box = around(_bounds(each) for each in points if each is not None)
             self.measured[element] = box, sum(map(_triangles, element.iter()))
         return self.measured[element]
@@ -283,8 +349,13 @@ class _Collada:
         source = self.named.get(skin.get("source", "")[1:]) if skin is not None else None
         return source if source is not None and _name(source) == "geometry" else element
 
-    def _positions(self, vertices: Any) -> Points | None:
+    def _points(self, vertices: Any) -> Points | None:
         """The positions (n, 3) of ``vertices``."""
+        if vertices not in self.points:
+            self.points[vertices] = self._positions(vertices)
+        return self.points[vertices]
+
+    def _positions(self, vertices: Any) -> Points | None:
         inputs = (each for each in self._all(vertices, "input") if each.get("semantic") == "POSITION")
         source = next((self._target(each, "source") for each in inputs), None)
         floats = next(self._all(source, "float_array"), None) if source is not None else None
@@ -304,7 +375,8 @@ class _Collada:
                 parts = (self._corners(each) for each in element.iter() if _triangles(each))
                 self.corners[element] = [part for part in parts if part is not None and len(part)]
             for part in self.corners[element]:
-                yield (part @ transform[:3, :3].T + transform[:3, 3]) * meter
+                corners = part.reshape(-1, 3) @ transform[:3, :3].T + transform[:3, 3]
+                yield (corners * meter).reshape(-1, 3, 3)
 
     def _corners(self, primitive: Any) -> Points | None:
         """The triangles of one primitive, in its own frame."""
@@ -313,19 +385,17 @@ class _Collada:
         inputs = [each for each in primitive if _name(each) == "input"]
         vertex = next((each for each in inputs if each.get("semantic") == "VERTEX"), None)
         vertices = self._target(vertex, "source") if vertex is not None else None
-        if vertices not in self.points:
-            self.points[vertices] = self._positions(vertices) if vertices is not None else None
-        points = self.points[vertices]
+        points = self._points(vertices) if vertices is not None else None
         if vertex is None or points is None:
             return None
         stride = 1 + max(int(each.get("offset", 0)) for each in inputs)
-        rows = [_numbers(each.text or "").astype(int) for each in primitive if _name(each) == "p"]
+        rows = [_numbers(each.text or "", int) for each in primitive if _name(each) == "p"]
         corners = [row[int(vertex.get("offset", 0)) :: stride] for row in rows]
-        sides = next((_numbers(each.text or "") for each in primitive if _name(each) == "vcount"), None)
+        sides = next((_numbers(each.text or "", int) for each in primitive if _name(each) == "vcount"), None)
         if _name(primitive) == "triangles":
             return np.asarray(points[corners[0][: len(corners[0]) // 3 * 3].reshape(-1, 3)])
-        counts = sides.astype(int).tolist() if sides is not None else list(map(len, corners))
-        return np.asarray(points[_fans(counts, [corner for row in corners for corner in row.tolist()])])
+        counts = sides.tolist() if sides is not None else list(map(len, corners))
+        return np.asarray(points[_fans(counts, np.concatenate(corners))])
 
     def _target(self, element: Any, attribute: str = "url") -> Any:
         return self.named.get((element.get(attribute) or "").lstrip("#"))
@@ -386,34 +456,42 @@ def _turn(axis: Points, angle: float) -> Points:
     return np.asarray(np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * (cross @ cross))
 
 
-def _fans(counts: Sequence[int], corners: Sequence[int]) -> Any:
+def _fans(counts: Sequence[int], corners: Any) -> Any:
     """The triangles (n, 3) of polygons with so many corners each."""
     import numpy as np
 
     if set(counts) == {3}:
-        return np.array(corners[: 3 * len(counts)]).reshape(-1, 3)
+        return corners[: 3 * len(counts)].reshape(-1, 3)
     starts, found = 0, []
     for count in counts:
-        first, *others = corners[starts : starts + count]
+        first, *others = corners[starts : starts + count].tolist()
         found += [(first, *pair) for pair in pairwise(others)]
         starts += count
     return np.array(found, dtype=int).reshape(-1, 3)
 
 
-def _read_glb(data: bytes) -> Mesh:
+def _read_glb(data: bytes) -> Content:
     length, kind = int.from_bytes(data[12:16], "little"), data[16:20]
     if kind != b"JSON" or len(data) < 20 + length:
         raise Faulty("ends before its JSON part does")
-    return _read_gltf(data[20 : 20 + length])._replace(format="GLB")
+    document, buffer = _gltf_document(data[20 : 20 + length]), data[28 + length :]
+    return _gltf_mesh(document)._replace(format="GLB"), lambda: _gltf_triangles(document, buffer)
 
 
-def _read_gltf(data: bytes) -> Mesh:
-    import numpy as np
+def _read_gltf(data: bytes) -> Content:
+    return _gltf_mesh(_gltf_document(data)), tuple
 
+
+def _gltf_document(data: bytes) -> Any:
     try:
-        document = json.loads(data)
+        return json.loads(data)
     except ValueError:
         raise Faulty("is not valid JSON") from None
+
+
+def _gltf_mesh(document: Mapping[str, Any]) -> Mesh:
+    import numpy as np
+
     boxes: list[Points] = []
     triangles = 0
     for transform, primitive in _gltf_primitives(document):
@@ -497,10 +575,16 @@ def _gltf_transform(node: Mapping[str, Any]) -> Points:
     return result
 
 
-def _numbers(text: str) -> Points:
+def _numbers(text: str | bytes, kind: type = float) -> npt.NDArray[Any]:
+    """The numbers of a text."""
     import numpy as np
 
-    return np.array(text.split(), dtype=float)
+    with catch_warnings():
+        simplefilter("error", DeprecationWarning)
+        try:
+            return np.fromstring(text, kind, sep=" ") if text.strip() else np.empty(0, kind)
+        except DeprecationWarning:
+            raise ValueError("no number") from None
 
 
 def _bounds(points: Any) -> Box:
@@ -515,7 +599,7 @@ def _bounds(points: Any) -> Box:
     return Box(tuple(map(float, low)), tuple(map(float, high)))
 
 
-_READERS: dict[str, Callable[[bytes], Mesh]] = {
+_READERS: dict[str, Callable[[bytes], Content]] = {
     "STL": _read_stl,
     "OBJ": _read_obj,
     "COLLADA": _read_collada,
@@ -524,144 +608,77 @@ _READERS: dict[str, Callable[[bytes], Mesh]] = {
 }
 
 
-def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
-    """The skin of a mesh file (m), without scale; None where its triangles are not known. Raises OSError."""
-    import numpy as np
-
-    from sdfcheck.bodies.solid import skin_of
-
-    data, found, count = read(path, LIMIT), [], 0
-    form = _format(data, ENDINGS.get(path.suffix.lower(), ""))
-    if form in {"COLLADA", "OBJ"} and len(data) > _MOST_TEXT:
-        return None
-    try:
-        for part in _each_triangle(data, form):
-            found.append(part)
-            count += max(len(part), _LEAST_TRIANGLES)
-            if count > _MOST_TRIANGLES:
-                return None
-    except (ArithmeticError, IndexError, KeyError, RecursionError, TypeError, ValueError, AttributeError):
-        return None
-    return skin_of(np.concatenate(found)) if found else None
-
-
-_MOST_TEXT = 32 * MEGABYTE
-"""Texts take many times their size in memory until they are numbers."""
-_MOST_TRIANGLES, _LEAST_TRIANGLES = 5_000_000, 1_000
-"""Parts of a file that are placed often would be endless, be they large or small: each counts as so many at least."""
-
-
-def _each_triangle(data: bytes, form: str) -> Iterator[Points]:
-    """The triangles (n, 3, 3) of a file, part by part."""
-    if form == "COLLADA":
-        yield from _collada(data).triangles()
-    elif form == "OBJ":
-        corners, faces = _obj_parts(data)
-        rows = [[int(corner.split(b"/")[0]) for corner in face.split()] for face in faces]
-        numbers = [number - 1 if number > 0 else number for row in rows for number in row]
-        yield corners[_fans(list(map(len, rows)), numbers)]
-    elif form == "GLB":
-        length = int.from_bytes(data[12:16], "little")
-        yield from _gltf_triangles(json.loads(data[20 : 20 + length]), data[28 + length :])
-    elif form == "STL":
-        is_binary = _is_binary_stl(data, "STL")
-        corners = _stl_corners(data, (len(data) - 84) // 50) if is_binary else _text_stl_corners(data)
-        yield corners[: len(corners) // 3 * 3].reshape(-1, 3, 3)
-
-
 # Kept from run to run
 
 
-_SLOTS = 0x4000
-"""Meshes in the cache at most: each has its place, and gives way to another one of the same place."""
-_T = TypeVar("_T")
+_BOUNDS, _SKINS = ("", 4000), ("-skins", 1000)
+"""The kinds of measurements, and how many of a folder are kept."""
 
 
-@dataclass(frozen=True)
-class _Kept(Generic[_T]):
-    """A measurement that is kept: the end of its files' names, how it is read, and a row of JSON there and back."""
-
-    ending: str
-    read: Callable[[Path, Read], _T]
-    packed: Callable[[_T], list[Any]]
-    unpacked: Callable[[list[Any]], _T]
-
-
-def mesh_at(path: Path, open: Open = open_regular) -> Mesh:
+def mesh_at(
+    path: Path, open: Open = open_regular, shelves: Shelves | None = None, *, with_skin: bool = False
+) -> Mesh:
     """The content of a mesh file, read again only where its size or time of change is another one.
 
     It is opened each time, as it may be where this run must not read. A file that cannot be read has a
-    ``fault``, and never raises.
+    ``fault``, and never raises. ``with_skin``: where it is read, its skin will be asked for, too.
     """
+    used = Shelves() if shelves is None else shelves
     try:
-        return _kept_or_read(path, open, _MESH)
+        with _opened(path, open) as (read, stamp):
+            found = _mesh_kept(used, path, stamp)
+            if found is None:
+                content = _content(path, read)
+                found = content[0]
+                _keep(used, path, _BOUNDS, [stamp, *_packed_mesh(found)])
+                if with_skin:
+                    _keep(used, path, _SKINS, [stamp, *_packed_skin(_skin(content))])
     except OSError as error:
         return Mesh("", fault=f"cannot be read: {error.strerror or error}")
+    if shelves is None:
+        used.save()
+    return found._replace(stamp=stamp)
 
 
-def skin_at(path: Path, open: Open = open_regular) -> Skin | None:
+def skin_at(path: Path, open: Open = open_regular, shelves: Shelves | None = None) -> Skin | None:
     """The skin of a mesh file (m), without scale, likewise; None where it is not known."""
+    used = Shelves() if shelves is None else shelves
     try:
-        return _kept_or_read(path, open, _SKIN)
+        with _opened(path, open) as (read, stamp):
+            row = used.find(*os.path.split(path), _SKINS[0], stamp)
+            with suppress(ValueError, TypeError, AttributeError):  # where it is not what was written
+                if row is not None:
+                    return _unpacked_skin(row)
+            packed = _packed_skin(read_skin(path, read))
     except OSError:
         return None
+    _keep(used, path, _SKINS, [stamp, *packed])
+    if shelves is None:
+        used.save()
+    return _unpacked_skin(packed)  # rounded as it is kept, so that every run sees the same
 
 
-def _kept_or_read(path: Path, open: Open, kind: _Kept[_T]) -> _T:
+@contextmanager
+def _opened(path: Path, open: Open) -> Iterator[tuple[Read, str]]:
+    """A mesh file to be read, and its stamp."""
     with open(path, LIMIT) as stream:
         status = os.fstat(stream.fileno())
-        key = f"{_EDITION} {os.path.realpath(path)} {status.st_size} {status.st_mtime_ns}"
-        place = _place(key, kind.ending)
-        try:
-            if place is not None:
-                said, *rest = json.loads(read_regular(place, MEGABYTE))
-                if said == key:
-                    return kind.unpacked(rest)
-        except (OSError, ValueError, TypeError, RecursionError):
-            pass  # nothing is kept, or that of another one
-        row = kind.packed(kind.read(path, lambda file, limit: read_on(stream, file, limit)))
-        if place is not None:
-            _keep(place, [key, *row])
-        return kind.unpacked(row)  # rounded as it is kept, so that every run sees the same
+        yield lambda file, limit: read_on(stream, file, limit), f"{status.st_size} {status.st_mtime_ns}"
 
 
-_EDITION = 3
-"""To be counted up whenever files are measured in another way."""
+def _mesh_kept(shelves: Shelves, path: Path, stamp: str) -> Mesh | None:
+    row = shelves.find(*os.path.split(path), _BOUNDS[0], stamp)
+    with suppress(ValueError, TypeError, AttributeError):  # where it is not what was written
+        return _unpacked_mesh(row) if row is not None else None
+    return None
 
 
-def _place(key: str, ending: str) -> Path | None:
-    folder = cache_folder()
-    if folder is None:
-        return None
-    from zlib import crc32
-
-    path = key.split(" ", 1)[1].rpartition(" ")[0].rpartition(" ")[0]
-    return folder / f"{crc32(path.encode('utf-8', 'surrogateescape')) % _SLOTS:04x}{ending}.json"
-
-
-def cache_folder() -> Path | None:
-    """The folder of kept measurements: that of ``SDFCHECK_CACHE_DIR``, or the user's; None for none."""
-    given = os.environ.get("SDFCHECK_CACHE_DIR")
-    if given is not None:
-        return Path(given, "meshes") if os.path.isabs(given) else None
-    if os.name == "nt":
-        folder = os.environ.get("LOCALAPPDATA", "")
-    else:
-        folder = os.environ.get("XDG_CACHE_HOME", "") or os.path.expanduser("~/.cache")
-    return Path(folder, "sdfcheck", "meshes") if os.path.isabs(folder) else None
-
-
-def _keep(place: Path, row: list[Any]) -> None:
-    """Write it; where that cannot be, the next run measures again."""
-    try:
-        os.makedirs(place.parent, exist_ok=True)
-        overwrite(place, json.dumps(row).encode("utf-8", "surrogateescape"), instead=True, lasting=False)
-    except OSError:
-        return
+def _keep(shelves: Shelves, path: Path, kind: tuple[str, int], row: list[Any]) -> None:
+    shelves.keep(*os.path.split(path), kind[0], row, kind[1])
 
 
 def _packed_mesh(mesh: Mesh) -> list[Any]:
-    form, box, *rest = mesh
+    form, box, *rest = mesh._replace(stamp="")
     return [form, *((box.low, box.high) if box is not None else ((), ())), *rest]
 
 
@@ -679,7 +696,3 @@ def _unpacked_skin(row: list[Any]) -> Skin | None:
     from sdfcheck.bodies.solid import unpacked
 
     return unpacked(*row) if row else None
-
-
-_MESH = _Kept("", read_mesh, _packed_mesh, _unpacked_mesh)
-_SKIN = _Kept("-skin", read_skin, _packed_skin, _unpacked_skin)

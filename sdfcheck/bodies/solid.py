@@ -212,26 +212,40 @@ class Skin(NamedTuple):
         step = max(1, len(self.points) // count)
         return Skin(self.points[::step], self.normals[::step], self.areas[::step] * step)
 
+    def within(self, other: Skin, reach: float) -> Skin:
+        """The part of it that is in the bounds of another one, or not farther away from them."""
+        if not len(other.points):
+            return self
+        low, high = other.points.min(axis=0) - reach, other.points.max(axis=0) + reach
+        chosen = ((self.points >= low) & (self.points <= high)).all(axis=1)
+        return Skin(self.points[chosen], self.normals[chosen], self.areas[chosen])
+
     @property
     def size(self) -> float:
         """Its greatest length along an axis."""
         return float(np.ptp(self.points, axis=0).max())
 
-    def distance_to(self, other: Skin, least: float = 0.0) -> float:
-        """How far another surface is away (m), at least; few points show what is not farther than ``least``."""
-        found = self._distance_of_boxes(other)
-        if found > least:
-            return found
-        for count in _LEVELS:
-            found = _gap(self.some(count), other.some(count))
-            if found <= least:
-                break
-        return found
+    def distance_to(self, other: Skin) -> float:
+        """How far another surface is away (m); each point is a disc, of which the larger one counts."""
+        discs = np.maximum.outer(self._radii, other._radii)
+        return float((np.sqrt(_squares(self.points, other.points)) - discs).min())
 
-    def _distance_of_boxes(self, other: Skin) -> float:
+    def distance_of_bounds(self, other: Skin) -> float:
+        """How far its bounds are from those of another surface (m)."""
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         bottom, top = other.points.min(axis=0), other.points.max(axis=0)
         return float(np.linalg.norm(np.maximum(0, np.maximum(bottom - high, low - top))))
+
+    def is_near(self, other: Skin, least: float) -> bool:
+        """Is it no farther away than that (m)? Few points show what is near."""
+        if self.distance_of_bounds(other) > least:
+            return False
+        reach = least + max(self._radii.max(), other._radii.max()) * math.sqrt(POINTS / _LEVELS[0])
+        return any(_are_near(self.some(count), other.some(count), least, reach) for count in _LEVELS)
+
+    @property
+    def _radii(self) -> Array:
+        return np.sqrt(self.areas / math.pi)
 
     def packed(self) -> list[str | float]:
         """Its points and normals in bytes, as text, with its bounds and area."""
@@ -263,10 +277,14 @@ def _squares(points: Array, others: Array) -> Array:
     return np.asarray(np.maximum(own + theirs - 2 * points @ others.T, 0.0))
 
 
-def _gap(mine: Skin, others: Skin) -> float:
-    """The distance of two surfaces (m); each point is a disc, of which the larger one counts."""
-    discs = np.sqrt(np.maximum.outer(mine.areas, others.areas) / math.pi)
-    return float((np.sqrt(_squares(mine.points, others.points)) - discs).min())
+def _are_near(mine: Skin, others: Skin, least: float, reach: float) -> bool:
+    """Are two surfaces near to each other? Points farther from the bounds of the other than ``reach`` are not."""
+    mine = mine.within(others, reach)
+    others = others.within(mine, reach)
+    if not len(mine.points) or not len(others.points):
+        return False
+    discs = np.maximum.outer(mine._radii, others._radii)
+    return bool((_squares(mine.points, others.points) <= (least + discs) ** 2).any())
 
 
 def unpacked(text: str, area: float, *bounds: float) -> Skin:
@@ -290,21 +308,23 @@ def together(skins: Iterable[Skin]) -> Skin | None:
 
 def skin_of(triangles: Any) -> Skin | None:
     """The skin of triangles, shape (n, 3, 3); None where they have no area."""
-    corners = np.asarray(triangles, dtype=float)
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    crosses = np.cross(first, second)
-    doubled = np.linalg.norm(crosses, axis=1)
-    sums = np.cumsum(doubled)
+    corners = np.asarray(triangles)
+    start, middle, end = corners.transpose(1, 2, 0)  # of three rows each: numpy is fast along long ones
+    first, second = middle - start, end - start
+    pairs = ((1, 2), (2, 0), (0, 1))
+    crosses = np.stack([first[i] * second[j] - first[j] * second[i] for i, j in pairs])
+    doubled = np.sqrt((crosses**2).sum(axis=0))
+    sums = np.cumsum(doubled, dtype=float)
     if not len(sums) or not 0 < sums[-1] < math.inf:
         return None
     number = np.arange(POINTS)
     chosen = np.searchsorted(sums, (number + 0.5) / POINTS * sums[-1]).clip(max=len(sums) - 1)
     u, v = ((number * step) % 1.0 for step in _GOLDEN)
     over = u + v > 1
-    u, v = np.where(over, 1 - u, u)[:, None], np.where(over, 1 - v, v)[:, None]
-    points = corners[chosen, 0] + u * first[chosen] + v * second[chosen]
-    normals = crosses[chosen] / np.maximum(doubled[chosen], 1e-30)[:, None]
-    return Skin(points, normals, np.full(POINTS, sums[-1] / 2 / POINTS))
+    u, v = np.where(over, 1 - u, u), np.where(over, 1 - v, v)
+    points = start[:, chosen] + u * first[:, chosen] + v * second[:, chosen]
+    normals = crosses[:, chosen].astype(float) / np.maximum(doubled[chosen], 1e-30)
+    return Skin(points.T, normals.T, np.full(POINTS, sums[-1] / 2 / POINTS))
 
 
 def of_shape(kind: str, size: Sequence[float]) -> Skin | None:

@@ -12,11 +12,12 @@ import click
 from sdfcheck.cli.parts.command import Command
 from sdfcheck.cli.parts.descriptions import around, described, load
 from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
-from sdfcheck.cli.parts.output import FORMATS, outputs, refuse_to_write, write
+from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.terminal import say
 from sdfcheck.cli.parts.view_options import Request, exit_code, gate_of, shown, view_of
 from sdfcheck.consumers.engines import SIMULATORS as ENGINES
 from sdfcheck.consumers.engines import Engine, Limits, is_installed
+from sdfcheck.consumers.reaction import Manner
 from sdfcheck.convert.simulation import MissingEngine, Settings
 from sdfcheck.convert.simulation import simulate as run
 from sdfcheck.formats.near_names import did_you_mean
@@ -26,11 +27,13 @@ from sdfcheck.lint.kinds import SIMULATED, SimKind
 from sdfcheck.lint.one_file import silence_simulated
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import Run
+from sdfcheck.report import OutputFormat
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
     from sdfcheck.lint.diagnostic import Diagnostic
+    from sdfcheck.report.content import Robot
     from sdfcheck.source.document import Document
 
 SIMULATORS = ("mujoco", "drake", "pybullet")
@@ -106,13 +109,22 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     findings = _findings(document, settings, book.dispatch(configured, file), quiet=quiet)
     found, silenced = silence_simulated(findings, (*book.rules(configured), *SIMULATED), configured, file)
     done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
+    drawn = _drawn(done, document, wanted)
     for output in wanted:
-        write(output, done, color=color, view=view_of(request, failing))
+        write(output, done, color=color, view=view_of(request, failing), robots=drawn)
     if not quiet:
-        names = ", ".join(engine.value for engine in engines)
         converted = ", converted to URDF for it" if document.kind is Kind.SDF else ""
-        say(f"simulated in {names}{converted}: {seconds:g} s")
+        say(f"simulated in {', '.join(engine.value for engine in engines)}{converted}: {seconds:g} s")
     return exit_code(request, done)
+
+
+def _drawn(done: Run, document: Document, wanted: Sequence[Output]) -> Sequence[Robot]:
+    """The robot for a page, which shows what is found when it happens."""
+    if not any(output.format is OutputFormat.HTML for output in wanted):
+        return ()
+    from sdfcheck.report.content import robots
+
+    return list(robots(done, [(document.path, document)]))
 
 
 def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
@@ -135,8 +147,16 @@ def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, qui
         progress.clear()
     if all(each.code != SimKind.NOT_LOADED.code for each in found):
         linted = (each for each in lint_document(document, dispatch) if each.code[:3] in _MOVING)
-        found += (each.without_fix for each in linted if each.severity is not Severity.INFO)
+        found += (each.without_fix for each in linted if _concerns(each, settings))
     return sorted(found, key=lambda one: one.sort_key)
+
+
+def _concerns(found: Diagnostic, settings: Settings) -> bool:
+    """Is a finding about how the robot moves: not about this computer, nor what all simulators ignore?"""
+    names = {engine.value for engine in settings.engines}
+    reactions = [reaction.manner for consumer, reaction in found.affects if consumer in names]
+    is_ignored = len(reactions) == len(names) and set(reactions) == {Manner.IGNORE}
+    return found.severity is not Severity.INFO and not found.missing and not is_ignored
 
 
 class _Progress:

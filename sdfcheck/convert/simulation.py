@@ -23,13 +23,13 @@ from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.files.library import library_of
 from sdfcheck.files.uris import locate
-from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity, counted
+from sdfcheck.lint.diagnostic import Diagnostic, Label, Moment, Origin, Severity, counted
 from sdfcheck.lint.kinds import SimKind
 from sdfcheck.robot.motion.flatten import mechanism_of
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
-from sdfcheck.source.errors import DescriptionError
+from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
@@ -105,8 +105,10 @@ def _models(document: Document) -> Iterator[Model]:
 def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progress) -> Iterator[Diagnostic]:
     try:
         subject = Subject(model)
-    except (DescriptionError, NotConvertible) as error:
-        span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
+    except (DescriptionError, NotConvertible, WrongUsage) as error:
+        span = model.element.span  # of an include that leads nowhere
+        if not isinstance(error, WrongUsage):
+            span = error.loss.span if isinstance(error, NotConvertible) else error.element.span
         yield Diagnostic(
             SimKind.NOT_LOADED.code,
             SimKind.NOT_LOADED.title,
@@ -145,7 +147,8 @@ class Subject:
     def _convert(self) -> None:
         from sdfcheck.convert.sdf_to_urdf import Options, convert
 
-        done = convert(self.document, Options(model=self.model.name), verified=False)
+        written = self.model.element.get("name") or ""  # an include may give it another name
+        done = convert(self.document, Options(model=written), verified=False)
         self.text = done.text
         for comparison in done.comparisons:
             to = comparison.correspondence
@@ -188,13 +191,27 @@ class Subject:
         return {name: top(name) for name in group}
 
     @cached_property
-    def has_massless_movers(self) -> bool:
-        """Do links without mass move?"""
+    def loose(self) -> set[str]:
+        """The links, as URDF calls them, that a joint carries for which URDF has no word: simulators differ in it."""
+        found = {joint.child for joint in self.robot.joints.values() if joint.kind == "ball"}
+        for _ in self.robot.links:
+            found |= {joint.child for joint in self.robot.joints.values() if joint.parent in found}
+        return {urdf for urdf, name in self.links.items() if name in found}
+
+    @cached_property
+    def moved(self) -> set[str]:
+        """The links that are moved by a joint of their own."""
+        return {joint.child for joint in self.robot.joints.values() if joint.moves}
+
+    @cached_property
+    def massless_movers(self) -> list[str]:
+        """The links without mass that move."""
         held = {self.groups[name] for name in ("world", *self.robot.roots()) if name in self.groups}
-        return any(
-            (link.body is None or not link.body.mass) and self.groups[name] not in held
+        return [
+            name
             for name, link in self.robot.links.items()
-        )
+            if (link.body is None or not link.body.mass) and self.groups[name] not in held
+        ]
 
     @cached_property
     def neighbors(self) -> set[frozenset[str]]:
@@ -376,7 +393,7 @@ class Trial:
         Links without mass, to which simulators give one as they like, are not those that come back.
         """
         before = self.measured["fall"].get("early")
-        is_comparable = len(self.subject.robot.roots()) == 1 and not self.subject.has_massless_movers
+        is_comparable = len(self.subject.robot.roots()) == 1 and not self.subject.massless_movers
         if self.measured["overlaps"] or not before or not is_comparable or self.subject.returned is None:
             return
         path = self.stage.write("", self.path.name)
@@ -413,6 +430,10 @@ class Trial:
                 given[name] = body[0]
                 continue
             mass = own.body.mass if own.body is not None else 0.0
+            if not body[0] and not mass and own.geometries and name in self.subject.moved:
+                text = f"moves, has shapes, and a mass of 0, which {self.title} takes as it is"
+                yield self._at_link(SimKind.OTHER_MASS, name, text)
+                continue
             if not math.isclose(body[0], mass, rel_tol=1e-3, abs_tol=1e-6):
                 text = f"has {body[0]:g} kg in {self.title}, and {mass:g} kg here"
                 yield self._at_link(SimKind.OTHER_MASS, name, text)
@@ -424,10 +445,12 @@ class Trial:
                         SimKind.OTHER_MASS, name, f"has other moments of inertia in {self.title} than here"
                     )
 
-        for name, mass in list(given.items())[:1]:
+        movers = [name for name in self.subject.massless_movers if name in given]
+        for name in [*movers, *given][:1]:
             more = f"; so have {counted(len(given) - 1, 'other link')}" if len(given) > 1 else ""
-            text = f"has no mass here, and {mass:.4g} kg by {self.title}'s own choice{more}"
-            matters = sum(given.values()) > _SMALL * self.subject.mass
+            text = f"has no mass here, and {given[name]:.4g} kg by {self.title}'s own choice{more}"
+            # That of the root link, which is held, changes nothing.
+            matters = sum(given[mover] for mover in movers) > _SMALL * self.subject.mass
             yield self._at_link(SimKind.OTHER_MASS, name, text, "warning" if matters else "info")
 
     def _joints(self, joints: Mapping[str, Any]) -> Iterator[Diagnostic]:
@@ -443,16 +466,17 @@ class Trial:
             if own.kind != "continuous" and not all(map(_as_good_as, here, there)):
                 ranges = [f"{a:g} to {b:g}" if b - a < 1e9 else "no range" for a, b in (here, there)]
                 text = f"has {ranges[1]} in {self.title}, and {ranges[0]} here"
-                yield self._at_joint(SimKind.OTHER_JOINT, own, text)
+                is_unsaid = not any(here)  # some write that for no limits
+                yield self._at_joint(SimKind.OTHER_JOINT, own, text, "info" if is_unsaid else "warning")
 
     def _overlaps(self, pairs: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
-        for a, b, depth, _ in pairs:
+        for a, b, depth, point in pairs:
             one, other = self._name(a), self._name(b)
             if depth > _DEPTH and not self.subject.may_touch(one, other):
                 own, note = self._hulls(one, other)
                 text = f"overlaps link `{other}` by {_length(depth)} at the start in {self.title}{note}"
                 label = self._label(other, "the other link")
-                yield self._at_link(SimKind.START_OVERLAP, one, text, own, label)
+                yield self._at_link(SimKind.START_OVERLAP, one, text, own, label, self._moment({}, point))
 
     def _hulls(self, a: str, b: str) -> tuple[str, str]:
         """The severity of an overlap, and what the simulator has to do with it."""
@@ -489,7 +513,7 @@ class Trial:
                 yield self._at_link(SimKind.STEP_DEPENDENT, self._name(name), text, "warning")
 
     def _sweep(self, met: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
-        for joint, a, b, depth, position, count, steps in met:
+        for joint, a, b, depth, position, point, count, steps in met:
             one, other = self._name(a), self._name(b)
             own = self.subject.robot.joints.get(self.subject.joints.get(joint, ""))
             if own is None or depth <= _DEPTH or self.subject.may_touch(one, other):
@@ -499,7 +523,8 @@ class Trial:
             text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
             often = f" ({count} of {steps} positions) in {self.title}{note}"
             severity = severity if 2 * count > steps else "info"
-            yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity)
+            moment = self._moment({own.name: position}, point)
+            yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity, moment)
 
     def _loads(self, loads: Mapping[str, Mapping[str, float]]) -> Iterator[Diagnostic]:
         for urdf, name in self.subject.joints.items():
@@ -530,6 +555,20 @@ class Trial:
             text = f"stands on {names} and not on its wheels, {after}"
             yield self._at_link(SimKind.TIPPING, root, text)
 
+    def _moment(self, moved: Mapping[str, float], point: Sequence[float]) -> Moment:
+        """The robot where it starts, but for some joints; the point is in the frame of its root link."""
+        robot = self.subject.robot
+        axes = {name: joint.axes[0] for name, joint in robot.joints.items() if joint.axes}
+        start = {
+            name: min(max(0.0, axis.lower), axis.upper)
+            for name, axis in axes.items()
+            if axis.lower <= axis.upper
+        }
+        positions = {name: float(at) for name, at in {**start, **moved}.items() if at}
+        root = next((robot.links[name].pose for name in robot.roots() if name in robot.links), np.eye(4))
+        place = root @ np.array([*point, 1.0])
+        return Moment(tuple(sorted(positions.items())), (tuple(map(float, place[:3])),))
+
     def _name(self, urdf: str) -> str:
         return self.subject.links.get(urdf, urdf)
 
@@ -541,14 +580,23 @@ class Trial:
         return (Label(_place(own.element), text),) if own is not None else ()
 
     def _at_link(
-        self, kind: SimKind, name: str, text: str, severity: str = "warning", labels: tuple[Label, ...] = ()
+        self,
+        kind: SimKind,
+        name: str,
+        text: str,
+        severity: str = "warning",
+        labels: tuple[Label, ...] = (),
+        moment: Moment | None = None,
     ) -> Diagnostic:
         link = self.subject.robot.links.get(name)
         element = link.element if link is not None else self.subject.model.element
-        return self._found(kind, element, f"link `{name}` {text}", severity, labels)
+        return self._found(kind, element, f"link `{name}` {text}", severity, labels)._replace(moment=moment)
 
-    def _at_joint(self, kind: SimKind, joint: Joint, text: str, severity: str = "warning") -> Diagnostic:
-        return self._found(kind, joint.element, f"joint `{joint.name}` {text}", severity)
+    def _at_joint(
+        self, kind: SimKind, joint: Joint, text: str, severity: str = "warning", moment: Moment | None = None
+    ) -> Diagnostic:
+        found = self._found(kind, joint.element, f"joint `{joint.name}` {text}", severity)
+        return found._replace(moment=moment)
 
     def _found(
         self, kind: SimKind, element: Element, text: str, severity: str, labels: tuple[Label, ...] = ()
@@ -593,7 +641,9 @@ def _disagreements(subject: Subject, runs: Mapping[Engine, Mapping[str, Any]]) -
     quiet = {engine: run["fall"] for engine, run in runs.items() if not run["overlaps"]}
     first, *others = quiet or {Engine.MUJOCO: {}}
     for other in others:
-        name, apart = _farthest(quiet[first].get("early", {}), quiet[other].get("early", {}))
+        early = (quiet[engine].get("early", {}) for engine in (first, other))
+        ends = ({name: pose for name, pose in each.items() if name not in subject.loose} for each in early)
+        name, apart = _farthest(*ends)
         if apart > _APART * subject.size + 0.005:
             link = subject.robot.links.get(subject.links.get(name, name))
             text = (

@@ -57,6 +57,13 @@ def exclude_nothing(path: Path) -> bool:
     return False
 
 
+def _absent(path: Path) -> WrongUsage:
+    """The error for a path that leads to nothing."""
+    name, sign, value = str(path).partition("=")
+    hint = f"; an argument of xacro is written `{name}:={value}`" if sign and name.isidentifier() else ""
+    return WrongUsage(f"no such file or folder: {path}{hint}")
+
+
 def discover(
     paths: Sequence[Path],
     *,
@@ -88,7 +95,7 @@ def discover(
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):
-            raise WrongUsage(f"no such file or folder: {path}")
+            raise _absent(path)
         elif force_exclude and exclude(path):
             left.skipped.append((path, "excluded by the configuration"))
         else:

@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, BinaryIO, TypeVar, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, TypeVar, cast
 
-from sdfcheck.files.regular import SIZE_LIMIT, Outside, is_below, names_in, open_regular, read_named, read_on
+from sdfcheck.files.regular import (
+    MEGABYTE,
+    SIZE_LIMIT,
+    Outside,
+    is_below,
+    names_in,
+    open_regular,
+    read_named,
+    read_on,
+    read_regular,
+)
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -93,6 +105,112 @@ class Disk:
         if listed is None:
             listed = self._listings[folder] = {name.lower(): name for name in reversed(names_in(folder))}
         return listed
+
+
+# Measurements, kept from run to run.
+
+_EDITION = 4
+"""To be counted up whenever something is measured in another way."""
+_LARGEST_SHELF = 16 * MEGABYTE
+_MOST_KEPT, _MOST_SHELVES = 256 * MEGABYTE, 4096
+"""So much is kept, in so many files; then the oldest ones give way."""
+
+
+class Shelves:
+    """Rows of JSON about files: those about the files of one folder, of one kind, are in one file of the cache.
+
+    A row begins with a stamp, which tells whether it still holds.
+    """
+
+    __slots__ = ("_fresh", "_places", "_rows")
+
+    def __init__(self) -> None:
+        self._places: dict[tuple[str, str], str | None] = {}
+        self._rows: dict[str, dict[str, list[Any]]] = {}
+        self._fresh: dict[str, tuple[int, dict[str, list[Any]]]] = {}
+
+    def find(self, folder: str, name: str, kind: str, stamp: str) -> list[Any] | None:
+        """The row about a file; None where it is not known, or the file has changed."""
+        place = self._place(folder, kind)
+        row = self._rows[place].get(name) if place is not None else None
+        return row[1:] if isinstance(row, list) and row[:1] == [stamp] else None
+
+    def keep(self, folder: str, name: str, kind: str, row: Sequence[object], most: int) -> None:
+        """Keep a row from the next :meth:`save` on, with ``most`` others that are not older."""
+        place = self._place(folder, kind)
+        if place is not None:
+            self._rows[place][name] = list(row)
+            self._fresh.setdefault(place, (most, {}))[1][name] = list(row)
+
+    def save(self) -> None:
+        """Write what is new; where that cannot be, the next run measures again."""
+        if not self._fresh:
+            return
+        from sdfcheck.files.overwrite import overwrite
+
+        for place, (most, fresh) in self._fresh.items():
+            rows = list({**_kept(place), **fresh}.items())[-most:]
+            with suppress(OSError):
+                os.makedirs(os.path.dirname(place), exist_ok=True)
+                text = json.dumps({"edition": _EDITION, "rows": dict(rows)})
+                overwrite(Path(place), text.encode("utf-8", "surrogateescape"), instead=True, lasting=False)
+        with suppress(OSError):
+            _make_room(os.path.dirname(next(iter(self._fresh))))
+        self._fresh.clear()
+
+    def _place(self, folder: str, kind: str) -> str | None:
+        """The file of a shelf, which is read when it is asked for first; None where nothing is kept."""
+        if (folder, kind) not in self._places:
+            cache = cache_folder()
+            place = (
+                str(cache / f"{digest_of(os.path.realpath(folder))}{kind}.json")
+                if cache is not None
+                else None
+            )
+            if place is not None:
+                self._rows[place] = _kept(place)
+            self._places[folder, kind] = place
+        return self._places[folder, kind]
+
+
+def digest_of(text: str) -> str:
+    """A short name for a text, which no other one has."""
+    from hashlib import blake2b
+
+    return blake2b(text.encode("utf-8", "surrogateescape"), digest_size=10).hexdigest()
+
+
+def _kept(place: str) -> dict[str, list[Any]]:
+    try:
+        shelf = json.loads(read_regular(Path(place), _LARGEST_SHELF))
+        rows = shelf["rows"] if shelf["edition"] == _EDITION else {}
+        return rows if isinstance(rows, dict) else {}
+    except (OSError, ValueError, TypeError, LookupError, RecursionError):
+        return {}
+
+
+def _make_room(cache: str) -> None:
+    """Remove the oldest files of the cache while there is too much of it."""
+    with os.scandir(cache) as entries:
+        found = [(each.stat(), each.path) for each in entries if each.name.endswith(".json")]
+    size, count = sum(status.st_size for status, _ in found), len(found)
+    for status, path in sorted(found, key=lambda each: each[0].st_mtime_ns):
+        if size <= _MOST_KEPT and count <= _MOST_SHELVES:
+            return
+        os.unlink(path)
+        size, count = size - status.st_size, count - 1
+
+
+def cache_folder() -> Path | None:
+    """The folder of kept measurements: that of ``SDFCHECK_CACHE_DIR``, or the user's; None for none."""
+    given = os.environ.get("SDFCHECK_CACHE_DIR")
+    if given is not None:
+        return Path(given, "meshes") if os.path.isabs(given) else None
+    if os.name == "nt":
+        folder = os.environ.get("LOCALAPPDATA", "")
+    else:
+        folder = os.environ.get("XDG_CACHE_HOME", "") or os.path.expanduser("~/.cache")
+    return Path(folder, "sdfcheck", "meshes") if os.path.isabs(folder) else None
 
 
 MODEL_PATH_VARIABLES = (
@@ -207,11 +325,13 @@ class Library:
         "model_folders",
         "refused",
         "search",
+        "shelves",
     )
 
     def __init__(self, search: SearchPaths | None = None, limit: int = SIZE_LIMIT) -> None:
         self.search = search or SearchPaths()
         self.disk = Disk()
+        self.shelves = Shelves()
         self._limit = limit
         self.model_folders = tuple(dict.fromkeys(self.search.model_folders))
         self._current: Document | None = None

@@ -75,6 +75,13 @@ class Missing(NamedTuple):
     uses: int = 1
 
 
+class Moment(NamedTuple):
+    """A robot while something happens: where its joints are (rad, m), and the points of its model concerned (m)."""
+
+    positions: tuple[tuple[str, float], ...]
+    points: tuple[tuple[float, ...], ...] = ()
+
+
 class Diagnostic(NamedTuple):
     """One defect, at the smallest place that a person would edit.
 
@@ -97,6 +104,8 @@ class Diagnostic(NamedTuple):
     """Given where the finding is about this computer, and the file may be sound."""
     cause: Span | None = None
     """The fault in a text that this follows from: where another error is reported on its line, this is not."""
+    moment: Moment | None = None
+    """Given where the finding is about a robot that moves."""
 
     @property
     def concerned(self) -> frozenset[str]:

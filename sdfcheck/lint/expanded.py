@@ -37,6 +37,8 @@ def lint_xacro(
     dispatch: Dispatch,
     expander: Expander | None,
     argument_sets: Sequence[Mapping[str, str]] = (),
+    *,
+    variants: bool = True,
 ) -> list[Diagnostic]:
     """All diagnostics of a xacro file, where people edit it; without ``expander`` it is only read."""
     prepared = prepare(document, expander, argument_sets)
@@ -55,7 +57,7 @@ def lint_xacro(
     found += [
         _with_cause(each, calls) for each in built if not any(_overlap(each.span, span) for span in left)
     ]
-    if expander is not None and not argument_sets and len(prepared.documents) == 1:
+    if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
     return without_repeats(fold(found))
 
@@ -143,7 +145,7 @@ def _lint_variants(
 
     seen = set(map(_where, known))
     most = min(_MOST_VARIANTS, _MOST_ELEMENTS // len(robot.elements))
-    values = dict(islice(_other_values(document), most))
+    values = dict(islice(other_values(document), most))
     together = new(values) if values else []
     left = None if together is None else set(map(_where, together))
     for name, value in values.items():
@@ -174,7 +176,7 @@ def _errors_with(
     if expanded.source.text == robot.source.text or len(expanded.elements) > _MOST_ELEMENTS:
         return []
     expanded.library = document.library
-    found = fold(settle(lint_document(expanded, dispatch), expanded, document))
+    found = fold(settle(lint_document(expanded, dispatch.of_errors), expanded, document))
     return [each for each in found if each.severity is Severity.ERROR]
 
 
@@ -182,7 +184,7 @@ def _where(found: Diagnostic) -> tuple[str, Path, int]:
     return found.code, found.span.source.path, found.span.start
 
 
-def _other_values(document: Document) -> Iterator[tuple[str, str]]:
+def other_values(document: Document) -> Iterator[tuple[str, str]]:
     """Names of arguments, each with a value that its default is not."""
     visible = visible_definitions(document)
     defaults: dict[str, str] = {}

@@ -40,7 +40,7 @@ class SimKind(FindingKind):
     NOT_LOADED = "SIM001 The simulator does not load the robot, or ends while it does."
     OTHER_MASS = (
         "SIM002 A link has other mass properties in the simulator than in the text, such as the 1 kg that "
-        "PyBullet gives to links without mass."
+        "PyBullet gives to links without mass, or none although it moves."
     )
     OTHER_JOINT = "SIM003 A joint is not in the simulator, or has another range there than in the text."
     START_OVERLAP = (

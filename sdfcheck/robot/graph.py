@@ -14,6 +14,7 @@ from contextlib import suppress
 from itertools import permutations, product, takewhile
 from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
+from sdfcheck.files.library import digest_of, library_of
 from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import Version
@@ -26,6 +27,7 @@ from sdfcheck.robot.naming.name import (
     WORLD_FRAME,
     UnknownName,
     mirrored,
+    other_letter,
     without_sides,
 )
 from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, pick
@@ -59,7 +61,6 @@ if TYPE_CHECKING:
     from sdfcheck.formats.plugins import Naming, PluginFacts
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
-    from sdfcheck.robot.motion.mechanism import Reach
     from sdfcheck.robot.motion.origin import Triple
     from sdfcheck.robot.motion.poses import Array, Pose
     from sdfcheck.source.text import Span
@@ -940,6 +941,13 @@ AXES = {
 """Type in SDFormat → the number of axes that the joint moves about or along."""
 
 
+class Reach(NamedTuple):
+    """The largest share of a part that is in the parent of its joint, in the joint's range; and the other way."""
+
+    within: float
+    opposite: float
+
+
 _SAME = 0.05
 """Of the range: limits are as far to both sides if they differ less."""
 
@@ -1119,39 +1127,24 @@ class Joint(Node):
     @property
     def mirror(self) -> Joint | None:
         """The joint whose name says left where its own says right; None without one."""
-        name = mirrored(self.name)
-        return self.model.joints_by_name.get(name) if name != self.name and self.model is not None else None
+        if self.model is None:
+            return None
+        joints, name = self.model.joints_by_name, mirrored(self.name)
+        name = name if name != self.name else other_letter(name, joints)
+        return joints.get(name) if name != self.name else None
 
-    def gap(self, least: float) -> float:
-        """How far all that it carries is from the rest of its robot of URDF at rest (m); 0 if not more than that."""
-        from sdfcheck.robot.motion.mechanism import distance
-
-        child, parent, model = self.child_link, self.parent_link, self.model
-        if child is None or parent is None or model is None:
-            return 0.0
-        below = dict.fromkeys((child, *child.below()))
-        rest = (parent, *(link for link in model.links if link not in below and link is not parent))
-        carried, others = ([link.skin for link in links if link.shapes] for links in (below, rest))
-        mine, theirs = ([skin for skin in skins if skin is not None] for skins in (carried, others))
-        is_known = parent not in below and len(mine) + len(theirs) == len(carried) + len(others)
-        return distance(mine, theirs, least) if is_known else 0.0
-
-    @lazy
+    @property
     def reach(self) -> Reach | None:
         """How far it moves its part into its parent within its limits; None where it goes as far to both sides."""
-        child, parent, (lower, upper) = self.child_link, self.parent_link, self.axis.limit.range
-        if not -math.inf < lower < upper < math.inf or abs(lower + upper) < _SAME * (upper - lower):
-            return None
-        if child is None or parent is None or self.at_rest is None or self.direction is None:
-            return None
-        from sdfcheck.robot.motion.mechanism import joined, reach
+        return self.model.reaches.get(self) if self.model is not None else None
 
-        part, base = (
-            joined(each.skin for each in link.rigid_group if each.shapes) for link in (child, parent)
+    @property
+    def is_one_sided(self) -> bool:
+        """Does it turn or slide farther to one side than to the other?"""
+        lower, upper = self.axis.limit.range
+        return self.type in {"revolute", "prismatic"} and (
+            -math.inf < lower < upper < math.inf and abs(lower + upper) >= _SAME * (upper - lower)
         )
-        if part is None or base is None:
-            return None
-        return reach(part, base, self.type, self.at_rest.position, self.direction, (lower, upper))
 
     @property
     def driver(self) -> Part | None:
@@ -1203,6 +1196,71 @@ class Joint(Node):
         if not self.is_urdf or model is None:
             return ()
         return tuple(model.blocks_by_reference.get(self.name, ()))
+
+
+def _said_by_surfaces(
+    model: Model, asked: Mapping[Joint, float], ask: Callable[[], Sequence[Sequence[float]]]
+) -> Sequence[Sequence[float]]:
+    """A row for each joint, from surfaces; kept for as long as joints and shapes are the same."""
+    library = library_of(model.document)
+    if not asked or library is None:
+        return ask() if asked else ()
+    joints = [
+        (joint.type, joint.child, joint.parent, joint.axis.limit.range, joint.direction, joint.at_rest)
+        for joint in model.joints
+    ]
+    links = [
+        (link.name, link.at_rest, list(map(_surface, link.visuals or link.collisions)))
+        for link in model.links
+    ]
+    name = digest_of(repr((joints, links, [(joint.name, bound) for joint, bound in asked.items()])))
+    folder = str(model.document.path.parent)
+    kept = library.shelves.find(folder, name, _SURFACES, "")
+    if kept is None or len(kept) != len(asked):
+        kept = list(map(list, ask()))
+        library.shelves.keep(folder, name, _SURFACES, ["", *kept], _MOST_ANSWERS)
+    return kept
+
+
+_SURFACES, _MOST_ANSWERS = "-surfaces", 400
+
+
+def _surface(shape: Shape) -> tuple[object, ...]:
+    """All that its surface depends on."""
+    geometry = shape.geometry
+    try:
+        place: object = _placement_in(shape, shape.link)
+    except DescriptionError:
+        place = None
+    mesh = geometry.mesh if geometry.shape == "mesh" else None
+    return geometry.shape, geometry.uri, "" if mesh is None else mesh.stamp, geometry.measures, place
+
+
+def _gap(joint: Joint, least: float) -> float:
+    from sdfcheck.robot.motion.mechanism import distance
+
+    child, parent, model = joint.child_link, joint.parent_link, joint.model
+    if child is None or parent is None or model is None:
+        return 0.0
+    below = dict.fromkeys((child, *child.below()))
+    rest = (parent, *(link for link in model.links if link not in below and link is not parent))
+    carried, others = ([link.skin for link in links if link.shapes] for links in (below, rest))
+    mine, theirs = ([skin for skin in skins if skin is not None] for skins in (carried, others))
+    is_known = parent not in below and len(mine) + len(theirs) == len(carried) + len(others)
+    return distance(mine, theirs, least) if is_known else 0.0
+
+
+def _reach(joint: Joint) -> tuple[float, float] | None:
+    child, parent = joint.child_link, joint.parent_link
+    if child is None or parent is None or joint.at_rest is None or joint.direction is None:
+        return None
+    from sdfcheck.robot.motion.mechanism import joined, reach
+
+    part, base = (joined(each.skin for each in link.rigid_group if each.shapes) for link in (child, parent))
+    if part is None or base is None:
+        return None
+    limits = joint.axis.limit.range
+    return reach(part, base, joint.type, joint.at_rest.position, joint.direction, limits)
 
 
 def _link(node: Node | None) -> Link | None:
@@ -2858,6 +2916,20 @@ class Model(Scope):
     def poses_at_rest(self) -> dict[Link, Origin]:
         """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
         return _links_at_rest(self)
+
+    def gaps(self, least: Mapping[Joint, float]) -> dict[Joint, float]:
+        """How far what joints carry is from the rest of the robot of URDF at rest (m); 0 if not more than is given."""
+        rows = _said_by_surfaces(
+            self, least, lambda: [(_gap(joint, bound),) for joint, bound in least.items()]
+        )
+        return {joint: row[0] for joint, row in zip(least, rows, strict=True)}
+
+    @lazy
+    def reaches(self) -> dict[Joint, Reach]:
+        """How far its one-sided joints move their parts into their parents, where that is more than a little."""
+        joints = dict.fromkeys((joint for joint in self.joints if joint.is_one_sided), 0.0)
+        rows = _said_by_surfaces(self, joints, lambda: [_reach(joint) or () for joint in joints])
+        return {joint: Reach(*row) for joint, row in zip(joints, rows, strict=True) if row}
 
     @lazy
     def twins(self) -> dict[object, list[Joint]]:

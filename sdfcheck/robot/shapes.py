@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
 from sdfcheck.bodies.box import Box
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
     from sdfcheck.bodies.mesh import Mesh, Open
     from sdfcheck.bodies.solid import Skin
+    from sdfcheck.files.library import Shelves
     from sdfcheck.robot.motion.poses import Array
     from sdfcheck.robot.solids import Solid
     from sdfcheck.source.document import Element, Value
@@ -177,7 +179,9 @@ class Geometry(Part):
         """The content of its mesh file; None without one on this computer, and where only a part of it is meant."""
         from sdfcheck.bodies.mesh import mesh_at
 
-        return self._measured_by(mesh_at)
+        parent = self.element.parent
+        is_seen = self.is_urdf and parent is not None and parent.name == "visual"
+        return self._measured_by(partial(mesh_at, with_skin=is_seen))
 
     @lazy
     def skin(self) -> Skin | None:
@@ -193,7 +197,7 @@ class Geometry(Part):
 
         return of_shape(self.shape, self.measures)
 
-    def _measured_by(self, measure: Callable[[Path, Open], Measured | None]) -> Measured | None:
+    def _measured_by(self, measure: Callable[[Path, Open, Shelves], Measured | None]) -> Measured | None:
         """A measurement of its mesh file; None where it is not there."""
         if self.shape != "mesh" or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
             return None
@@ -203,7 +207,7 @@ class Geometry(Part):
         path, library = locate(self.document, self.uri).path, library_of(self.document)
         if path is None or library is None or not os.path.isfile(path):
             return None
-        return measure(path, lambda file, limit: library.open(file, self.document, limit))
+        return measure(path, lambda file, limit: library.open(file, self.document, limit), library.shelves)
 
     @lazy
     def missing_files(self) -> tuple[str, ...]:

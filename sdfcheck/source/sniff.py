@@ -242,7 +242,7 @@ def _beside_a_robot(text: str, suffixes: Sequence[str]) -> Kind | None:
         return None
     if not _SRDF_TAGS.isdisjoint(parts):
         return Kind.SRDF
-    return Kind.WEBOTS if "webots" in parts else None
+    return Kind.WEBOTS if "webots" in parts and "gazebo" not in parts else None
 
 
 def _parts(text: str) -> set[str]:

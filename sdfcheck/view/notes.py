@@ -51,9 +51,16 @@ def findings(
             "place": f"{one.span.source.path.name}:{one.span.begin.line}",
             "url": pages.get(one.code),
             **parts.around(one.span),
+            **_moment(one),
         }
         for one in found
     ]
+
+
+def _moment(found: Diagnostic) -> Json:
+    if found.moment is None:
+        return {}
+    return {"moment": {"positions": dict(found.moment.positions), "points": found.moment.points}}
 
 
 def differences(before: Document, after: Document) -> list[Json]:

@@ -10,6 +10,14 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
+from sdfcheck.lint.diagnostic import Diagnostic, Moment, Severity
+from sdfcheck.lint.kinds import SimKind
+from sdfcheck.robot.root import root_of
+from sdfcheck.view.meshes import Meshes
+from sdfcheck.view.notes import findings
+from sdfcheck.view.page import page
+from sdfcheck.view.scene import scene
 from tests.peers import chromium
 from tests.peers.viewed import panel, sdf, show, with_meshes
 
@@ -88,6 +96,29 @@ def test_findings_switch_nothing_on_for_all_links(tab: chromium.Tab, tmp_path: P
     tab.page.click(".entry.error:has-text('mass')")
     assert shown(tab) == ["visuals"]
     assert chosen(tab) == ["forearm"]
+
+
+def test_a_finding_about_a_moment_shows_the_robot_as_it_is_then(tab: chromium.Tab, tmp_path: Path) -> None:
+    document = sdfcheck.load(ARM).document
+    (model,) = root_of(document).models
+    bend = next(joint for joint in model.joints if joint.name == "bend")
+    kind = SimKind.COLLIDING_JOINT
+    text = "joint `bend` moves one part into another"
+    found = Diagnostic(kind.code, kind.title, Severity.WARNING, text, bend.element.span)
+    moments = [found._replace(moment=Moment((("bend", 0.5), ("turn", -0.25)), ((0, 0, 0.2),))), found]
+    meshes = Meshes()
+    out = tmp_path / "out.html"
+    drawn = scene(document, meshes)
+    out.write_text(
+        page("arm", [drawn], meshes.entries, findings=findings(moments, document)), encoding="utf-8"
+    )
+    tab.open(out)
+    tab.page.wait_for_selector("html[data-ready]", timeout=60_000)
+    for moment, position, points in ((0, 0.5, [[0, 0, 0.2]]), (1, 0.5, [])):
+        tab.page.locator(".entry.warning").nth(moment).click()
+        assert tab.run("Number(document.querySelector('input[data-joint=bend]').value)") == position
+        assert tab.run("viewer.points()") == points
+    assert tab.errors == []
 
 
 def test_fields_of_view_do_not_change_what_fits(tab: chromium.Tab, tmp_path: Path) -> None:

@@ -121,6 +121,13 @@ export interface Finding extends Place {
   url: string | null;
   /** The layer that shows what it is about. */
   layer: string | null;
+  moment?: Moment;
+}
+
+/** A robot while something happens: where its joints are, those that are not named at zero; points of its model. */
+export interface Moment {
+  positions: Record<string, number>;
+  points: [number, number, number][];
 }
 
 export interface Difference extends Place {

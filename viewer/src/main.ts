@@ -3,7 +3,7 @@
 import { Box3, Group, type Object3D, Vector3 } from "three";
 import { follow, type Say } from "./follow";
 import { Crowd } from "./crowd";
-import type { Joint, Model, Page, Place, Shape } from "./data";
+import type { Joint, Model, Moment, Page, Place, Shape } from "./data";
 import { counterpart, differing, farthest, moved } from "./difference";
 import { ofJoint, ofLink, ofModel } from "./inspect";
 import { label, meters } from "./labels";
@@ -208,8 +208,9 @@ export class Viewer implements Actions, Hand {
     this.view("Fit");
   }
 
-  select(place: Place, layer: string | null = null, finding?: number): void {
+  select(place: Place, layer: string | null = null, finding?: number, moment?: Moment): void {
     this.about = layer;
+    this.recall(place.model, moment);
     this.point([place]);
     this.say({ kind: "picked", ...place, ...(finding === undefined ? {} : { finding }) });
     this.remember();
@@ -286,8 +287,21 @@ export class Viewer implements Actions, Hand {
     this.tools.measured.textContent = words;
   }
 
+  /** Puts a robot to where it is when something happens, and marks where; no point without a moment. */
+  private recall(model: string | null, moment?: Moment): void {
+    for (const robot of this.robots) robot.mark([]);
+    const robot = this.byModel.get(model ?? "");
+    if (!moment || !robot) return;
+    robot.positions.clear();
+    for (const [joint, position] of Object.entries(moment.positions)) robot.positions.set(joint, [position, 0]);
+    robot.mark(moment.points);
+    this.follow(robot, this.pairs.find(({ first }) => first === robot));
+    this.panel.refresh();
+  }
+
   private deselect(): void {
     this.about = null;
+    this.recall(null);
     this.point([]);
     this.remember();
   }
@@ -456,6 +470,11 @@ export class Viewer implements Actions, Hand {
   onScreen(part: string): number[] {
     const bounds = this.boundsOf({ model: null, part });
     return bounds ? this.stage.onScreen(bounds.getCenter(new Vector3())) : [];
+  }
+
+  /** The points that are marked. */
+  points(): number[][] {
+    return this.robots.flatMap((robot) => robot.marked());
   }
 
   /** The words on the links, by link. */

@@ -109,6 +109,13 @@ export function rangeOf(joint: Joint, axis: Axis, unit: number): Object3D {
   return both;
 }
 
+/** A point where two parts meet. */
+export function contactOf(point: [number, number, number], unit: number): Object3D {
+  const ball = onTop(new Mesh(new SphereGeometry(unit * 0.1, 16, 12), new MeshBasicMaterial({ color: COLORS.impossible })));
+  ball.position.set(...point);
+  return ball;
+}
+
 /** A link that nothing else shows. */
 export function emptyLinkOf(unit: number): Object3D {
   const geometry = new OctahedronGeometry(unit * 0.14);

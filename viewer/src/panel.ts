@@ -1,6 +1,6 @@
 // What is beside the picture: the tree, the selected part, sliders, findings, differences, notes; and the tools above it.
 
-import type { Argument, Difference, Finding, Page, Place } from "./data";
+import type { Argument, Difference, Finding, Moment, Page, Place } from "./data";
 import type { Fact } from "./inspect";
 import { made, prose } from "./made";
 import type { Layer, Manner } from "./robot";
@@ -15,8 +15,8 @@ export interface Actions {
   layer(layer: Layer, visible: boolean): void;
   view(name: string): void;
   arrangeAs(mode: Mode): void;
-  /** `finding`: the number of the finding that was chosen. */
-  select(place: Place, layer?: string | null, finding?: number): void;
+  /** `finding`: the number of the finding that was chosen; `moment`: when it happens. */
+  select(place: Place, layer?: string | null, finding?: number, moment?: Moment): void;
   choose(values: Record<string, string>): void;
   do(deed: Deed, place?: Place): void;
   mannerOf(place: Place): Manner;
@@ -211,7 +211,8 @@ export class Panel {
       if (url) group.append(made("a", { href: url, target: "_blank", rel: "noreferrer", class: "rule" }, `About ${code}`));
       for (const [number, finding] of found) {
         const words = [...prose(finding.message), ` (${finding.place})`];
-        group.append(this.entry(words, finding, finding.severity, finding.layer, this.page.live ? number : undefined));
+        const { severity: kind, layer, moment } = finding;
+        group.append(this.entry(words, finding, kind, layer, this.page.live ? number : undefined, moment));
       }
       list.append(group);
     }
@@ -226,13 +227,15 @@ export class Panel {
   }
 
   /** A line that selects the part it is about, if it is about one. */
-  private entry(words: (Node | string)[], place: Place, kind = "", layer: string | null = null, finding?: number): HTMLElement {
+  private entry(
+    words: (Node | string)[], place: Place, kind = "", layer: string | null = null, finding?: number, moment?: Moment,
+  ): HTMLElement {
     if (place.part === null && place.model === null && finding === undefined) return made("p", { class: kind }, ...words);
     const button = made("button", { type: "button", class: `entry ${kind}`, "aria-pressed": "false" }, ...words);
     button.dataset.part = place.part ?? "";
     button.dataset.model = place.model ?? "";
     button.addEventListener("click", () =>
-      this.actions.select({ model: place.model, part: place.part }, layer, finding),
+      this.actions.select({ model: place.model, part: place.part }, layer, finding, moment),
     );
     return button;
   }

@@ -5,7 +5,7 @@ import type { Crowd } from "./crowd";
 import { label, meters } from "./labels";
 import type { Joint, Link, Model, Shape } from "./data";
 import { linkPoses, moves } from "./kinematics";
-import { arrowOf, emptyLinkOf, fieldOf, frameOf, inertiaOf, lightOf, placed, rangeOf } from "./markers";
+import { arrowOf, contactOf, emptyLinkOf, fieldOf, frameOf, inertiaOf, lightOf, placed, rangeOf } from "./markers";
 import type { Meshes } from "./meshes";
 import type { Look, Palette } from "./shapes";
 
@@ -47,6 +47,7 @@ export class Robot {
   private readonly manners = new Map<string, Manner>();
   private readonly zero: Map<string, Link>;
   private size: number | null = null;
+  private marks: Object3D[] = [];
 
   constructor(
     readonly model: Model,
@@ -90,6 +91,17 @@ export class Robot {
     for (const [name, pose] of linkPoses(this.model, this.positions)) this.links.get(name)?.matrix.fromArray(pose);
     this.group.updateMatrixWorld(true);
     this.crowd?.place(this.links.values());
+  }
+
+  /** Marks points of the model, and only these. */
+  mark(points: [number, number, number][]): void {
+    this.group.remove(...this.marks);
+    this.marks = points.map((point) => contactOf(point, this.unit));
+    for (const mark of this.marks) this.group.add(mark);
+  }
+
+  marked(): number[][] {
+    return this.marks.map((mark) => mark.position.toArray());
   }
 
   /** Shows a layer of all links, or of those alone that have it revealed. */

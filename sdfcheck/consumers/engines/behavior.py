@@ -150,7 +150,10 @@ def _fall(make: Make, time_step: float, seconds: float) -> dict[str, Any]:
 
 
 def sweep(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
-    """The pairs that overlap on a joint's way through its range: joint, names, depth, where, how often of how many."""
+    """The pairs that overlap on a joint's way through its range.
+
+    Joint, names, depth, the position and the point where it is deepest, how often of how many.
+    """
     world = make(Motion(time_step=settings["time_step"], gravity=False))
     start = _start(world)
     world.place(start)
@@ -158,13 +161,13 @@ def sweep(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
     found: list[list[Any]] = []
     for joint, (least, most) in _ordered(world):
         lower, upper = max(least, -math.pi), min(most, math.pi)
-        seen: dict[tuple[str, str], list[tuple[float, float]]] = {}
+        seen: dict[tuple[str, str], list[tuple[float, float, list[float]]]] = {}
         for step in range(_STEPS + 1):
             position = lower + (upper - lower) * step / _STEPS
             world.place({**start, joint: position})
             for pair, one in _deepest(world.contacts()).items():
                 if pair not in before:
-                    seen.setdefault(pair, []).append((one.depth, position))
+                    seen.setdefault(pair, []).append((one.depth, position, one.point))
         found += [[joint, *pair, *max(each), len(each), _STEPS + 1] for pair, each in sorted(seen.items())]
     return found
 

@@ -337,13 +337,6 @@ _FINENESS = ((60, 120), (250, 400))
 """So many points of a part are asked, and so many of its parent say what is inside of it: first few, then more."""
 
 
-class Reach(NamedTuple):
-    """The largest share of a part that is in the parent of its joint, in the joint's range; and the other way."""
-
-    within: float
-    opposite: float
-
-
 def placed(skins: Iterable[tuple[Skin | None, Origin]]) -> Skin | None:
     """Skins at their poses as one; None without any, or where one is not known."""
     known = list(skins)
@@ -359,20 +352,23 @@ def joined(skins: Iterable[Skin | None]) -> Skin | None:
 
 def distance(skins: Sequence[Skin], others: Sequence[Skin], least: float) -> float:
     """How far two groups are apart (m); 0 if not farther than ``least``. Best with neighbors first."""
+    pairs = [(skin, other) for skin in skins for other in others]
+    if any(skin.is_near(other, least) for skin, other in pairs):
+        return 0.0
     found = math.inf
-    for skin in skins:
-        for other in others:
-            apart = skin.distance_to(other, least)
-            if apart <= least:
-                return 0.0
-            found = min(found, apart)
-    return found if found < math.inf else 0.0
+    for skin, other in pairs:
+        if (apart := skin.distance_of_bounds(other)) < found:
+            found = min(found, max(apart, skin.distance_to(other)))
+    return found if pairs else 0.0
 
 
 def reach(
     part: Skin, parent: Skin, kind: str, place: Triple, direction: Triple, limits: tuple[float, float]
-) -> Reach | None:
-    """How far a joint moves its part into its parent within its limits; None where that is little."""
+) -> tuple[float, float] | None:
+    """The largest shares of a part that its joint moves into its parent within its limits, and would the other way.
+
+    None where that is little.
+    """
     lower, upper = limits
     axis, at = np.array(direction), np.array(place)
     if kind == "revolute":
@@ -385,14 +381,14 @@ def reach(
             least = max(least, moved.share_in(parent, least))
         return least
 
-    found = Reach(0.0, 0.0)
+    within = opposite = 0.0
     for asked, inside in _FINENESS:
         few = part.some(asked), parent.some(inside)
         within = most(*few, 1, _LEAST / 2)
-        found = Reach(within, most(*few, -1, 0.0) if within > _LEAST / 2 else within)
-        if found.within - found.opposite < _LEAST / 2:
+        opposite = most(*few, -1, 0.0) if within > _LEAST / 2 else within
+        if within - opposite < _LEAST / 2:
             return None
-    return found
+    return within, opposite
 
 
 def _matrix(origin: Origin) -> Array:

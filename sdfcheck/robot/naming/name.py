@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Container
 from functools import lru_cache
 
 from sdfcheck.source.document import Element, Value
@@ -111,6 +112,16 @@ def mirrored(name: str) -> str:
 
     there = _SIDE.sub(other, name)
     return there if len(sides) == 1 else name
+
+
+def other_letter(name: str, names: Container[str]) -> str:
+    """The name with ``r`` for ``l`` at its end, or the other way; the same where the letters of others count on."""
+    stem, letter = name[:-1], name[-1:]
+    if letter.lower() not in {"l", "r"} or stem[-1:].isalpha():
+        return name
+    if any(stem + _like(letter, near) in names for near in "kmqs"):
+        return name
+    return stem + _like(letter, _WORDS[letter.lower()])
 
 
 def _like(written: str, word: str) -> str:

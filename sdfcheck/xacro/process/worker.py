@@ -26,6 +26,28 @@ OLDEST, NEWEST = (2, 1), (3,)
 _METADATA = re.compile(r"xacro-(\d+(?:\.\d+)*)[^/]*\.(?:dist|egg)-info$", re.IGNORECASE)
 
 
+def python_program() -> str:
+    """The path of the running interpreter's program, or of another Python where an application embeds the interpreter.
+
+    Raises:
+        WrongUsage: neither is found.
+    """
+    if sys.executable:
+        return sys.executable
+    from shutil import which
+
+    name = "python.exe" if os.name == "nt" else os.path.join("bin", "python3")
+    for prefix in (sys.exec_prefix, sys.base_exec_prefix):
+        if os.access(program := os.path.join(prefix, name), os.X_OK):
+            return program
+    program = which("python3") or which("python") or ""
+    if not program:
+        raise WrongUsage(
+            "the application that runs sdfcheck does not say where Python is: set `sys.executable`"
+        )
+    return program
+
+
 class Worker:
     """A process that expands files, one after the other. Start-up is paid once; it ends with this object."""
 
@@ -97,7 +119,18 @@ class Worker:
 
         # Names of files mean the same in both processes.
         encoding = f"utf8={sys.flags.utf8_mode}"
-        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", encoding, "-c", self._code, *_folders()]
+        command = [
+            python_program(),
+            "-I",
+            "-S",
+            "-W",
+            "ignore",
+            "-X",
+            encoding,
+            "-c",
+            self._code,
+            *_folders(),
+        ]
         self._process = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,

@@ -351,14 +351,14 @@ def givers(span: Span, origins: Sequence[Step], document: Document) -> list[Give
     """The texts that give their values to the names at a place, and to the names in these values."""
     visible = visible_definitions(document)
     found: list[Giver] = []
-    waiting = [(span.text, tuple(origins))]
+    waiting = [(span.text, span, tuple(origins))]
     while waiting and len(found) < MOST:
-        text, way = waiting.pop(0)
+        text, place, way = waiting.pop(0)
         for name in _names(text):
-            giver = giver_of(name, way, visible)
+            giver = giver_of(name, place, way, visible)
             if giver is not None and all(giver[0].span != known.span for known in found):
                 found.append(giver[0])
-                waiting.append((giver[0].text, giver[1]))
+                waiting.append((giver[0].text, giver[0].span, giver[1]))
     return found[:MOST]
 
 
@@ -370,22 +370,33 @@ def _names(text: str) -> Iterator[str]:
             yield f"{_GIVEN}{match[1]})"
 
 
-def giver_of(name: str, way: tuple[Step, ...], visible: Definitions) -> tuple[Giver, tuple[Step, ...]] | None:
-    """The text that gives a name its value inside some calls, and the scope that it is evaluated in."""
+def giver_of(
+    name: str, place: Span, way: tuple[Step, ...], visible: Definitions
+) -> tuple[Giver, tuple[Step, ...]] | None:
+    """The text that gives a name its value at a place inside some calls, and the scope that it is evaluated in."""
     if name.startswith(_GIVEN):
         return _argument(name, visible)
     for depth, step in enumerate(way):
         call = _CALL.match(step.text)
         macros = visible.macros.get(call[1].rpartition(".")[2], []) if call else []
+        if len(macros) > 1:
+            macros = [each for each in macros if _holds(each.element, place)]
         if len(macros) == 1:
             given, is_of_caller = _inside(name, step, macros[0], visible)
             if given is not None:
                 return given, way[depth + is_of_caller :]
+        place = step.span
     values = [each for each in visible.given.get(name, ()) if each.macro is None and each.value is not None]
     if len(values) != 1:
         return None
     value = values[0].element.attribute("value") or values[0].element.attribute("default")
     return None if value is None else (Giver(name, value.text, value.span), ())
+
+
+def _holds(macro: Element, place: Span) -> bool:
+    """Is a place in a macro?"""
+    whole = macro.document.spans.whole(macro)
+    return whole.source.real_path == place.source.real_path and whole.start <= place.start < whole.end
 
 
 def _inside(name: str, step: Step, macro: Macro, visible: Definitions) -> tuple[Giver | None, bool]:

@@ -16,6 +16,7 @@ import pytest
 from sdfcheck.bodies.box import Box, around
 from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, skin_at
 from sdfcheck.bodies.solid import of_shape, together
+from sdfcheck.files.library import Shelves
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -192,19 +193,19 @@ def test_measurements_are_kept_until_the_file_changes(tmp_path: Path, cache: Pat
     assert mesh_at(path).triangles == 1
     (kept,) = cache.iterdir()
     kept.write_text(kept.read_text().replace('"STL"', '"from the cache"'))
-    assert mesh_at(path) == Mesh("from the cache", WEDGE, 1)
+    assert mesh_at(path)._replace(stamp="") == Mesh("from the cache", WEDGE, 1)
     path.write_bytes(binary_stl(triangles=2))
-    assert mesh_at(path) == Mesh("STL", WEDGE, 2)
+    assert mesh_at(path)._replace(stamp="") == Mesh("STL", WEDGE, 2)
     assert len(list(cache.iterdir())) == 1
 
 
-@pytest.mark.parametrize("rubbish", [b"", b"\xff", b"[1]", b'["x"]', b'{"a": 1}'])
+@pytest.mark.parametrize("rubbish", [b"", b"\xff", b"[1]", b'["x"]', b'{"edition": 4, "rows": {"a.stl": 1}}'])
 def test_a_broken_cache_does_not_matter(tmp_path: Path, cache: Path, rubbish: bytes) -> None:
     path = written(tmp_path, "a.stl", binary_stl())
     mesh_at(path)
     (kept,) = cache.iterdir()
     kept.write_bytes(rubbish)
-    assert mesh_at(path) == Mesh("STL", WEDGE, 1)
+    assert mesh_at(path)._replace(stamp="") == Mesh("STL", WEDGE, 1)
 
 
 def test_no_cache_where_none_can_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -368,10 +369,46 @@ def test_skins_of_shapes_know_what_is_near_and_inside(
     assert skin.share_in(small) == 0
     assert small.scaled((-1, 1, 1)).moved(moved(0.2)).share_in(skin) == 1
     assert 0.2 < small.moved(moved(0.5)).share_in(skin) < 0.8
-    assert skin.distance_to(small.moved(moved(0.6)), 0.05) <= 0.05
+    assert skin.is_near(small.moved(moved(0.6)), 0.05)
+    assert not skin.is_near(small.moved(moved(0.9)), 0.05)
+    assert not skin.is_near(small.moved(moved(9.0)), 0.05)
     assert skin.distance_to(small.moved(moved(0.9))) == pytest.approx(0.3, abs=0.06)
 
 
 def test_other_shapes_have_no_skin() -> None:
     assert of_shape("plane", (1, 1)) is None
     assert together([]) is None
+
+
+def test_measurements_of_a_folder_are_in_one_file_that_does_not_grow_without_end(
+    tmp_path: Path, cache: Path
+) -> None:
+    paths = [written(tmp_path, f"{number}.stl", binary_stl()) for number in range(3)]
+    shelves = Shelves()
+    for path in paths:
+        mesh_at(path, shelves=shelves, with_skin=True)
+    assert not cache.exists()
+    shelves.save()
+    assert len(list(cache.iterdir())) == 2
+    assert [
+        Shelves().find(str(tmp_path), path.name, "", mesh_at(path).stamp) is not None for path in paths
+    ] == [True] * 3
+    shelves.keep(str(tmp_path), "a", "", ["1", 2], most=2)
+    shelves.save()
+    found = [Shelves().find(str(tmp_path), name, "", "1") for name in ("a", "0.stl")]
+    assert found == [[2], None]
+    kept = min(cache.iterdir(), key=lambda path: len(path.name))
+    assert list(json.loads(kept.read_text())["rows"]) == ["2.stl", "a"]
+
+
+def test_the_oldest_measurements_give_way(
+    tmp_path: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sdfcheck.files.library._MOST_SHELVES", 2)
+    places: list[Path] = []
+    for number, folder in enumerate("abc"):
+        (tmp_path / folder).mkdir()
+        mesh_at(written(tmp_path / folder, "a.stl", binary_stl()))
+        places += (path for path in cache.iterdir() if path not in places)
+        os.utime(places[-1], (number, number))
+    assert sorted(cache.iterdir()) == sorted(places[1:])

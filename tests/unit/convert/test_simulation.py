@@ -119,6 +119,20 @@ def test_a_joint_that_moves_parts_into_one_another(
     found = findings(text, Engine.MUJOCO, tmp_path, capsys)
     assert {one["code"] for one in found} == {"SIM007"}
     assert all("joint `" in one["message"] and "into `" in one["message"] for one in found)
+    page = tmp_path / "r.html"
+    line = [
+        "simulate",
+        str(tmp_path / "r.urdf"),
+        "--in",
+        "mujoco",
+        "--output-format",
+        "html",
+        "-o",
+        str(page),
+        "-q",
+    ]
+    assert main([*line, "--isolated", "--exit-zero"]) == 0
+    assert '"moment":{"positions":{"' in page.read_text(encoding="utf-8").replace(" ", "")
 
 
 def test_pairs_that_srdf_disables_may_overlap(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -158,6 +172,18 @@ def test_sdformat_is_converted(tmp_path: Path, capsys: pytest.CaptureFixture[str
     (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys, "w.sdf")
     assert found["code"] == "SIM004"
     assert "link `a` overlaps link `c`" in found["message"]
+
+
+def test_a_world_with_models_of_other_names(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "lamp").mkdir()
+    model = '<model name="lamp"><link name="a"><inertial><mass>1</mass></inertial></link></model>'
+    (tmp_path / "lamp" / "model.sdf").write_text(f'<sdf version="1.9">{model}</sdf>')
+    about = '<model><name>lamp</name><sdf version="1.9">model.sdf</sdf></model>'
+    (tmp_path / "lamp" / "model.config").write_text(about)
+    include = "<include><name>{}</name><pose>{} 0 0 0 0 0</pose><uri>model://lamp</uri></include>"
+    models = include.format("one", 0) + include.format("two", 1)
+    text = f'<sdf version="1.9"><world name="w">{models}</world></sdf>'
+    assert not codes(findings(text, Engine.MUJOCO, tmp_path, capsys, "w.sdf"))
 
 
 def test_a_robot_of_our_own_in_all_simulators(capsys: pytest.CaptureFixture[str]) -> None:

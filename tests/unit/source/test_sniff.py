@@ -66,6 +66,7 @@ ETHANOL = b"ethanol\n  RDKit\n\n  9  8  0     0  0  0  0  0  0999 V2000\n> <PUBC
         ),
         ("a.urdf", b'<robot name="r"><webots><device/></webots><ros2_control/></robot>', Kind.WEBOTS),
         ("a.urdf", b'<robot name="r"><webots/><link name="l"/></robot>', Kind.URDF),
+        ("a.xacro", b'<robot name="r"><webots/><gazebo/></robot>', Kind.XACRO),
         (
             "a.urdf",
             b'<robot xmlns:xacro="x"><material name="m"><color rgba="${1/2} 0 0 1"/></material></robot>',

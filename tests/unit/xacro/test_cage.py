@@ -22,6 +22,7 @@ from sdfcheck.source.sniff import Kind
 from sdfcheck.xacro.expansion import Expander, Expansion, Surroundings
 from sdfcheck.xacro.process import interpreter, walls, worker
 from sdfcheck.xacro.process.watch import Limits
+from sdfcheck.xacro.process.worker import python_program
 
 HEAD = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 IMPORTED = "import sys; sys.path += sys.argv[1:]; import sdfcheck.xacro.process.child as child; "
@@ -739,6 +740,19 @@ def test_backports_of_the_standard_library_are_not_imported(
     monkeypatch.setattr(worker, "_folders", lambda: [str(tmp_path), *folders])
     with Expander() as expander:
         assert ground.expand(expander, "<a/>").text is not None
+
+
+def test_an_application_that_embeds_python_finds_a_program(
+    ground: Ground, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(sys, "executable", "")
+    with Expander() as expander:
+        assert ground.expand(expander, "<a/>").text is not None
+    for prefix in ("exec_prefix", "base_exec_prefix"):
+        monkeypatch.setattr(sys, prefix, str(tmp_path))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(WrongUsage, match=r"set `sys\.executable`"):
+        python_program()
 
 
 def old_xacro(folder: Path, version: str) -> Path:
