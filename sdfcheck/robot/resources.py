@@ -102,7 +102,9 @@ class FileUse(Part):
         """Does git ignore the file where it is looked for first: does a build make it, or a download bring it?"""
         from sdfcheck.files.git import ignores_in
 
-        library = self.document.library
+        from sdfcheck.files.library import library_of
+
+        library = library_of(self.document)
         if self.location is None or library is None or not self.location.tried:
             return False
         path = self.location.tried[0]
