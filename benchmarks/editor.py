@@ -318,7 +318,7 @@ def _poses(editor: Editor, buffer: Buffer) -> list[Any]:
         return ["nothing"]
     if document.kind is Kind.XACRO:
         settings = editor.workspace.settings_for(buffer.path)
-        expander, _ = editor.workspace.caches.xacro(settings, buffer.path)
+        expander = editor.workspace.caches.xacro(settings, buffer.path).expander
         document = None if expander is None else expander.expand(document).document
         if document is None:
             return ["not expanded"]

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import inspect
 import re
+import sys
 from pathlib import Path
 
 import pytest
 
+from sdfcheck.lint.diagnostic import Severity
+from sdfcheck.lint.engine import OF_BODIES
 from sdfcheck.lint.example import Bad, fill, unmark
 from sdfcheck.lint.rule import Rule
 from sdfcheck.lint.rulebook.conditions import is_current, render
@@ -47,6 +51,14 @@ def test_metadata(rule: type[Rule]) -> None:
     first = (rule.__doc__ or "").strip().partition("\n\n")[0]
     assert first.endswith("."), "the manual begins with a sentence that states the defect"
     assert rule.code.rstrip("0123456789").lower() == rule.__module__.split(".")[-2]
+
+
+@pytest.mark.parametrize(
+    "rule", [r for r in RULES if r.code.rstrip("0123456789") in OF_BODIES], ids=lambda r: r.code
+)
+def test_rules_about_bodies_find_errors_only_by_their_own_severity(rule: type[Rule]) -> None:
+    if rule.severity is not Severity.ERROR:
+        assert "Severity.ERROR" not in inspect.getsource(sys.modules[rule.__module__])
 
 
 def test_codes_and_names_are_unique() -> None:

@@ -12,6 +12,8 @@ LEAST = 1.0
 """m: smaller shapes are not that of a machine in millimeters."""
 FLAT = 0.02
 """Times its length a floor is at most as thick."""
+THIN = 0.1
+"""m: what is thinner was not meant in millimeters."""
 LARGEST = 100.0
 """m: in 549 public robots with joints and meshes the longest shape is 0.05 to 2 m long; machines in millimeters have
 one of more than this, wherever their joints are."""
@@ -67,6 +69,7 @@ class OversizedShape(Rule):
             "</robot>",
             why="a floor",
         ),
+        Good('<visual><geometry><box size="300 0.05 0.05"/></geometry></visual>', why="a rail"),
     )
 
     @staticmethod
@@ -104,9 +107,12 @@ def written_size(shape: Shape) -> Value | None:
 
 
 def is_ground(shape: Shape, moving: Set[Link | None]) -> bool:
-    """Is it a flat shape of a link on which nothing moves, as the floor in a scene?"""
+    """Is it a flat shape of a link on which nothing moves, as the floor in a scene, or surely in meters, as a rail?"""
     box = shape.geometry.box
-    return box is not None and shape.link not in moving and min(box.size) < FLAT * max(box.size)
+    if box is None:
+        return False
+    is_flat = shape.link not in moving and min(box.size) < FLAT * max(box.size)
+    return is_flat or (shape.geometry.shape != "mesh" and min(box.size) < THIN)
 
 
 def is_long(link: Link) -> bool:

@@ -1,5 +1,5 @@
 from collections.abc import Iterator
-from math import radians
+from math import radians, remainder, tau
 
 from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity, TextEdit, make_fix
 
@@ -56,6 +56,10 @@ class LimitsInDegrees(Rule):
             "<axis><xyz>0 0 1</xyz><limit><lower>-9.42</lower><upper>9.42</upper></limit></axis>",
             why="three turns",
         ),
+        Good(
+            "<axis><xyz>0 0 1</xyz><limit><lower>-62.8319</lower><upper>62.8319</upper></limit></axis>",
+            why="twenty turns",
+        ),
         Good("<axis><xyz>0 0 1</xyz><limit><lower>-1.5</lower><upper>45</upper></limit></axis>"),
         Good(
             "<axis><xyz>0 0 1</xyz><limit><lower>-1000</lower><upper>1000</upper></limit></axis>",
@@ -78,7 +82,8 @@ class LimitsInDegrees(Rule):
             return False
         if lower.number % 1 == 0 == upper.number % 1:
             return max(-lower, upper) >= ROUND
-        return all(not 0 < abs(end) < LITTLE for end in (lower.number, upper.number))
+        ends = lower.number, upper.number
+        return all(not 0 < abs(end) < LITTLE for end in ends) and not all(map(is_whole_turns, ends))
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper = limit.lower, limit.upper
@@ -89,6 +94,11 @@ class LimitsInDegrees(Rule):
             labels={upper: "the upper limit"},
             fix=make_fix("convert them from degrees", edits, unsafe=True),
         )
+
+
+def is_whole_turns(angle: float) -> bool:
+    """Is an angle in radians a number of whole turns, as few others are?"""
+    return abs(remainder(angle, tau)) < 1e-5 * abs(angle)
 
 
 TURNING = frozenset({"revolute", "revolute2", "universal"})

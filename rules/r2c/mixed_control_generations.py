@@ -27,7 +27,8 @@ class MixedControlGenerations(Rule):
     `gazebo_ros2_control` is for Gazebo Classic, `ign_ros2_control` for Fortress with ROS 2 Humble, `gz_ros2_control`
     for what came after. Each loads its own hardware only, but that `gz_ros2_control` knows the old name of its own. The
     block is ignored with an error, and no joint of it moves. The same holds for `mock_components/GenericSystem`, which
-    moves nothing and is for a robot without simulator, and for the hardware of MuJoCo or of topics; a file for xacro
+    moves nothing and is for a robot without simulator, and for the hardware of MuJoCo or of topics: a warning, as the
+    robot may be meant to be without Gazebo here. A file for xacro
     that has Gazebo's hardware, too, chooses by an argument.
     """
 
@@ -97,7 +98,8 @@ class MixedControlGenerations(Rule):
         library = library_of(plugin)
         message = f"`{library}` does not load `{value.text}`"
         labels = {plugin.filename_value or plugin: "starts ros2_control"}
-        yield self.diagnostic(value, message, meant=SYSTEMS[library][0], labels=labels)
+        severity = self.severity if block.is_simulated else Severity.WARNING
+        yield self.diagnostic(value, message, meant=SYSTEMS[library][0], labels=labels, severity=severity)
 
 
 def library_of(plugin: Plugin) -> str:

@@ -20,6 +20,8 @@ class Absences:
         self.folders: dict[str, list[Resource]] = {}
         self.submodules: dict[str, list[Resource]] = {}
         """Folders without content, as those of submodules that are not checked out → resources."""
+        self.ignored: dict[str, list[Resource]] = {}
+        """Folders of what git ignores → resources."""
         for resource in missing:
             self._take(resource)
 
@@ -32,6 +34,9 @@ class Absences:
             self.submodules.setdefault(empty, []).append(resource)
             return
         path = expected(resource)
+        if resource.is_ignored and path is not None:
+            self.ignored.setdefault(os.path.dirname(path), []).append(resource)
+            return
         folder = None if path is None else os.path.dirname(path) or os.curdir
         if folder is None or (folder not in self.folders and os.path.isdir(folder)):
             self.files.setdefault((resource.uri, resource.what), []).append(resource)

@@ -129,6 +129,10 @@ class MissingFile(Rule):
             yield self.together(uses, message, advice)._replace(
                 missing=Missing(MissingKind.SUBMODULE, name, len(uses))
             )
+        for uses in absences.ignored.values():
+            uri = uses[0].uri
+            message = f"git ignores {uses[0].what} `{uri}`, which is not there: a build may make it"
+            yield self.together(uses, message)._replace(missing=Missing(MissingKind.IGNORED, uri, len(uses)))
         for folder, uses in absences.folders.items():
             yield self.together(uses, f"there is no folder `{place(part.document, folder)}`")
 

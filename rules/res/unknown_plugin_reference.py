@@ -76,6 +76,10 @@ class UnknownPluginReference(Rule):
         ),
         Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
         Good(MERGED.format("<link_name>base</link_name>"), scaffold=IN_ROBOT),
+        Good(
+            '<plugin name="mud" filename="libMud.so"><link_name>atlas::foot</link_name></plugin>',
+            why="a plugin that is not known may look for it in another model",
+        ),
     )
 
     @staticmethod

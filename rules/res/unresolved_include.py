@@ -23,11 +23,10 @@ ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
 class UnresolvedInclude(Rule):
     """The uri of an include leads to no file.
 
-    libsdformat refuses the document. A `model://`, or a bare name, that no folder near by nor any
-    on the search path has is a warning, because another computer may have it: set `model-paths`
-    in the configuration. Models on the network, such as those of Gazebo Fuel, are
-    pointed out only; nothing is ever fetched. A folder needs a `model.config` that says
-    which of its files is the model.
+    libsdformat refuses the document. A file of another computer is a warning: a `model://`, or a bare name,
+    that no folder near by nor any on the search path has (set `model-paths` in the configuration), and a path from
+    the root of the file system. Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
+    is ever fetched. A folder needs a `model.config` that says which of its files is the model.
     """
 
     code = "RES002"
@@ -44,6 +43,7 @@ class UnresolvedInclude(Rule):
 
     bad = (
         Bad("<include><uri>«arm.sdf»</uri></include>", files={}, says="`arm.sdf` leads to no file"),
+        Bad("<include><uri>«/home/ann/arm.sdf»</uri></include>", files={}, says="leads to no file"),
         Bad(
             "<include><uri>«model://arm/arm.sdf»</uri></include>",
             files={"arm/model.sdf": ARM},
@@ -149,7 +149,8 @@ class UnresolvedInclude(Rule):
             _, _, inside = include.uri.partition(f"{location.name}/")
             lacked = f"there is no `{inside}` in {location.scheme} `{location.name}`"
             message = f"`{include.uri}` leads to no file" if location.owner is None else lacked
-            yield self.diagnostic(value, message, help=looked_for(include))
+            severity = Severity.WARNING if include.is_absolute else self.severity
+            yield self.diagnostic(value, message, help=looked_for(include), severity=severity)
 
     def elsewhere(self, includes: list[Include]) -> Diagnostic:
         """The finding about a model that another computer may have."""

@@ -75,6 +75,11 @@ class UnusableInclude(Rule):
     good = (
         Good("<include><uri>arm.sdf</uri><name>left</name></include>", files=ARM),
         Good(
+            "<include><uri>arm.sdf</uri></include>",
+            files={"arm.sdf": '<gazebo version="1.2"><model name="arm"><link name="l"/></model></gazebo>'},
+            why="missing-root reports the file itself",
+        ),
+        Good(
             "<include><uri>arm.urdf</uri></include>",
             files={"arm.urdf": '<robot name="r"><link name="l"/></robot>'},
         ),

@@ -18,6 +18,7 @@ from sdfcheck import (
 )
 
 COLORS = ("ambient", "diffuse")
+RECORD = "link_state"
 
 
 class MisplacedElement(Rule):
@@ -42,6 +43,7 @@ class MisplacedElement(Rule):
     bad = (
         Bad("<«mass»>2</mass>", says="does not belong in link `base`; it goes into `inertial`"),
         Bad("<«static»>true</static>", says="it goes into `model`"),
+        Bad("<«wrench»>0 0 0 0 0 0</wrench>", says="it goes into `link_state`"),
         Bad(
             '<sensor name="s" type="imu"><imu><angular_velocity><«noise»/></angular_velocity></imu></sensor>',
             says="it goes into `x`, `y` or `z`",
@@ -75,6 +77,12 @@ class MisplacedElement(Rule):
             '<sensor name="s" type="custom"><plugin filename="p" name="p"><mass>2</mass></plugin></sensor>',
             why="the content of a plugin is the plugin's",
         ),
+        Good(
+            '<sdf version="1.12">\n<model name="m">\n  <link name="a">\n  <inertial/>\n  <self_collide/>\n'
+            "</model></sdf>",
+            scaffold="{}",
+            why="syntax-error says that the link is not closed",
+        ),
         Good("<contact><lateral_friction>1</lateral_friction></contact>", why="PyBullet reads it"),
     )
 
@@ -99,7 +107,10 @@ class MisplacedElement(Rule):
             message += f"; it goes into {named(problem.places, 'or', most=3)}"
         fix = rename(problem.suggestion, element)
         if problem.ignored:
-            yield self.diagnostic(element, message, fix=fix)
+            # The recorded state of a link, copied into the model, makes no other robot of it.
+            is_recorded = parent.name == "link" and RECORD in problem.places
+            severity = Severity.WARNING if is_recorded else self.severity
+            yield self.diagnostic(element, message, fix=fix, severity=severity)
             return
         message += "; libsdformat follows it anyway"
         yield self.diagnostic(element, message, severity=Severity.WARNING)

@@ -56,6 +56,13 @@ class IncompleteInertia(Rule):
             '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
         ),
         Good(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="solid" params="m"/>'
+            '<link name="a"><inertial><mass value="1"/><solid m="1"/></inertial></link></robot>',
+            why="missing-xacro-prefix reports the call",
+            file="arm.urdf.xacro",
+            scaffold="{}",
+        ),
+        Good(
             '<visual><geometry><sphere radius="1"/></geometry></visual>', why="none at all is another matter"
         ),
     )

@@ -61,10 +61,18 @@ class MissingLimit(Rule):
             why="turns without end",
             scaffold="",
         ),
+        Good(
+            '<robot name="r"><joint name="j"><limit lower="-1" upper="1"/></joint></robot>',
+            why="missing-element reports a robot without links",
+            scaffold="",
+        ),
     )
 
     @staticmethod
     def applies(part: Any) -> bool:
+        joint = part if part.kind == "joint" else part.joint
+        if not joint.has("parent") and not joint.has("child"):
+            return False  # no joint at all, as missing-element says
         if part.kind == "joint":
             return not part.has("limit") and part.type in BOUNDED and part.lacks("limit")
         return any(map(part.lacks, REQUIRED)) or is_locked(part)

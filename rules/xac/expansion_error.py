@@ -21,6 +21,8 @@ _HELP: Mapping[str, str] = {
     "variable": "set it, and pass it on with `--env {detail}` or `env` in the configuration",
     "withheld": "pass it on with `--env {detail}` or `env` in the configuration",
     "file": 'correct the path, or write `optional="true"` if the file need not be there',
+    "above": "write the path as it is from the file itself",
+    "ignored": "run the build that makes it, or correct the path",
     "submodule": "fetch it with `git submodule update --init`, or correct the path",
     "syntax": "correct the file that is included",
     "text": "save the file as UTF-8",
@@ -37,8 +39,14 @@ _MESSAGES: Mapping[str, str] = {
     "syntax": "the included file is not well-formed: {detail}",
     "recursion": "macro `{detail}` calls itself without end",
     "file": "cannot read {detail}",
+    "above": "this leads to a file from `{detail}` only, and xacro looks beside the file",
+    "ignored": "git ignores {detail}, which is not there: a build may make it",
     "submodule": "folder `{detail}` is empty: it may be a submodule that is not checked out",
 }
+
+_MISSING = {"submodule": MissingKind.SUBMODULE, "ignored": MissingKind.IGNORED}
+_ELSEWHERE = {"above", "argument", "pattern", "variable", "withheld", *_MISSING}
+"""The kinds of what another computer, or another call, may have."""
 
 
 class ExpansionError(Rule):
@@ -49,9 +57,9 @@ class ExpansionError(Rule):
     the expression as it is written, and shows the macro calls and includes that lead
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
-    an environment variable that is not set here, a file that is not there for the default of an argument,
-    and what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or macro that
-    is not reached.
+    an environment variable that is not set here, a file that is not there for the default of an argument, that git
+    ignores, or whose path holds on one computer or from another folder only, and what xacro does not stop for: a
+    pattern that matches no file, and a mistake in a branch or macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.
@@ -117,18 +125,21 @@ class ExpansionError(Rule):
             own["help"] = (
                 f"give it a value (`{problem.detail}:=…` after the file), or define it before its first use"
             )
-        elif kind in {"argument", "pattern", "variable", "withheld"} or (
-            reason is not None and reason.argument
-        ):
+        elif kind in _ELSEWHERE or (reason is not None and reason.argument) or is_absolute(problem):
             own["severity"] = Severity.WARNING
-        if kind == "submodule":
-            own |= {"severity": Severity.WARNING, "missing": Missing(MissingKind.SUBMODULE, problem.detail)}
+        if kind in _MISSING:
+            own["missing"] = Missing(_MISSING[kind], problem.detail)
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)
         yield self.diagnostic(
             problem.span, _message(problem), labels=labels, origins=origins, cause=problem.cause, **own
         )
+
+
+def is_absolute(problem: problems.ExpansionFailure) -> bool:
+    """Is a file missing whose path holds on one computer only?"""
+    return problem.kind.value == "file" and problem.span.text.startswith("/")
 
 
 def _message(problem: problems.ExpansionFailure) -> str:

@@ -96,7 +96,6 @@ TAKEN = frozenset(
         Kind.NESTED_COMMENT,
         Kind.SECTION_END_IN_TEXT,
         Kind.ILLEGAL_CHARACTER,
-        Kind.ODD_VERSION,
     )
 )
 READ = accepts("reads it anyway")
@@ -110,8 +109,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
     MuJoCo and urdfdom read with tinyxml2, which stops at the first such place and often
     names another one. A `<` in a value and a `]]>` in a text are the exceptions: these
     consumers take them, and all strict XML parsers (Python's, ROS tools built on it)
-    refuse the file. An odd number for the version of XML is a warning for the same
-    reason. The rest of the file is checked as far as it can be made out.
+    refuse the file. An odd number for the version of XML, or a misspelled declaration, is a warning for the
+    same reason. The rest of the file is checked as far as it can be made out.
     """
 
     code = "XML001"
@@ -129,6 +128,10 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         Bad(
             '<sdf version="1.12">\n <world name="w">\n  <«light» name="l">\n </world>\n</sdf>',
             says="`<light>` is never closed",
+        ),
+        Bad(
+            '<sdf version="1.12"><world name="w"><model name="m"><link name="l"><pose/>«</world>»</sdf>',
+            says="`</link></model>` is missing before `</world>`",
         ),
         Bad(
             '<sdf version="1.12"><model name="m"><link name="a"></«lnik»></model></sdf>',
@@ -186,6 +189,10 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         ),
         Bad('<sdf version="1.12">\n«<<<<<<<» HEAD\n=======\n>>>>>>> topic\n</sdf>', says="merge conflict"),
         Bad(
+            '«<?xml verison="1.0"?>»\n<sdf version="1.12"><world name="w"/></sdf>',
+            says="is not as XML wants it",
+        ),
+        Bad(
             '<?xml version="«0.0»"?>\n<sdf version="1.12"><world name="w"/></sdf>',
             fixed='<?xml version="1.0"?>\n<sdf version="1.12"><world name="w"/></sdf>',
             says="`0.0` is not a version of XML",
@@ -208,8 +215,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         text = span.text.splitlines()[0][:60] if span.text else ""
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
-        is_taken = kind in TAKEN and (kind is not Kind.NESTED_COMMENT or not name)
-        affects = dict.fromkeys(Consumer, READ) if is_taken else {}
+        affects = dict.fromkeys(Consumer, READ) if is_taken(problem) else {}
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:
@@ -225,7 +231,7 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         if other is not None and not labels and kind in LABELS:
             is_closed = kind is Kind.EXTRA_END_TAG and other.text == name
             labels = {other: "closed here already" if is_closed else LABELS[kind].format(name=name)}
-        severity = Severity.WARNING if kind is Kind.ODD_VERSION else None
+        severity = Severity.WARNING if is_odd(problem) else None
         advice = ADVICE[kind].format(name=name) if kind in ADVICE else None
         yield self.diagnostic(
             span,
@@ -236,6 +242,20 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             help=advice,
             affects=affects,
         )
+
+
+def is_odd(problem: problems.SyntaxDefect) -> bool:
+    """Is it only the declaration that is wrong?"""
+    kind = problem.kind
+    return kind is Kind.ODD_VERSION or (
+        kind is Kind.MALFORMED_INSTRUCTION and problem.span.text.endswith("?>")
+    )
+
+
+def is_taken(problem: problems.SyntaxDefect) -> bool:
+    """Does tinyxml2 read the file anyway? Of a comment in another one the rest may be left."""
+    kind = problem.kind
+    return is_odd(problem) or (kind in TAKEN and (kind is not Kind.NESTED_COMMENT or not problem.detail))
 
 
 def missing_end(span: Span, text: str, name: str) -> str:

@@ -649,13 +649,13 @@ def skin_at(path: Path, open: Open = open_regular, shelves: Shelves | None = Non
             with suppress(ValueError, TypeError, AttributeError):  # where it is not what was written
                 if row is not None:
                     return _unpacked_skin(row)
-            found = read_skin(path, read)
+            packed = _packed_skin(read_skin(path, read))
     except OSError:
         return None
-    _keep(used, path, _SKINS, [stamp, *_packed_skin(found)])
+    _keep(used, path, _SKINS, [stamp, *packed])
     if shelves is None:
         used.save()
-    return found
+    return _unpacked_skin(packed)  # rounded as it is kept, so that every run sees the same
 
 
 @contextmanager

@@ -109,12 +109,14 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
 
 
 def narrowed(known: tuple[RuleFacts, ...], selectors: tuple[str, ...]) -> list[RuleFacts]:
-    """The rules that the selectors cover (all without selectors), sorted by code.
+    """The rules that the selectors cover (all without selectors), sorted by code; codes in any case.
 
     Raises:
         UnknownSelector: one covers none.
     """
-    codes = {code for selector in selectors or ("ALL",) for code in covered(selector, known)[1]}
+    called = {facts.code.lower(): facts.code for facts in known}
+    wanted = [called.get(selector.lower(), selector) for selector in selectors or ("ALL",)]
+    codes = {code for selector in wanted for code in covered(selector, known)[1]}
     return sorted((facts for facts in known if facts.code in codes), key=lambda facts: facts.code)
 
 

@@ -340,7 +340,9 @@ def _mass(link: Link) -> float:
 def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
     """The visuals and collisions that urdfdom reads: it leaves a link at the first thing that it cannot read."""
     inertial = link.inertial
-    if inertial.is_given and (inertial.inertia is None or not inertial.has("mass")):
+    if inertial.is_given and (
+        inertial.inertia is None or inertial.missing_moments or not inertial.has("mass")
+    ):
         return (), ()
     visuals = tuple(takewhile(_is_read, link.visuals))
     is_cut = len(visuals) < len(link.visuals)
@@ -348,7 +350,8 @@ def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
 
 
 def _is_read(shape: Shape) -> bool:
-    return shape.geometry.shape in _SHAPES
+    material = shape.element.find("material") if shape.kind == "visual" else None
+    return shape.geometry.shape in _SHAPES and (material is None or "name" in material.attributes)
 
 
 def _type(joint: Joint) -> str:

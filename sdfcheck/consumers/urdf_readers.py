@@ -45,6 +45,7 @@ _NEEDED_BY_ISAAC = {
 """Element → the attributes and elements without which the converter of Isaac Sim (0.3.4) refuses the file."""
 
 
+_NO_REST = drops("the rest of the link")
 _WITHOUT_IT = warns("builds the robot without it")
 
 
@@ -175,7 +176,8 @@ def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
             if "visual" not in _place(element):
                 return {Consumer.MUJOCO: _UNREAD, Consumer.PYBULLET: _UNREAD}
             drake = accepts("needs no name there")
-            return {Consumer.DRAKE: drake, Consumer.MUJOCO: mujoco, Consumer.ISAAC: _WITHOUT_IT}
+            others = {Consumer.DRAKE: drake, Consumer.MUJOCO: mujoco, Consumer.ISAAC: _WITHOUT_IT}
+            return {**others, **dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO), _NO_REST)}
     return _LACKING.get(element.name, {})
 
 
@@ -191,7 +193,7 @@ def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
 def is_harmless(affects: Mapping[Consumer, Reaction]) -> bool:
     """Do all consumers of which reactions are known read on, but for those that one has to ask for?"""
     asked = [reaction for consumer, reaction in affects.items() if not consumer.is_on_request]
-    return bool(asked) and not any(reaction.is_refusal for reaction in asked)
+    return bool(asked) and not any(reaction.is_refusal or reaction == _NO_REST for reaction in asked)
 
 
 def undersized(at: Value) -> Mapping[Consumer, Reaction]:
@@ -256,7 +258,7 @@ def _urdfdom(place: frozenset[str]) -> Reaction:
     if "material" in place:
         return drops("the material")
     if place & {"visual", "collision", "inertial"}:
-        return drops("the rest of the link")
+        return _NO_REST
     return REFUSES
 
 

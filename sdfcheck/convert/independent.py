@@ -19,11 +19,12 @@ from sdfcheck.consumers.engines import Answer, Engine, Limits, Outcome, ask
 from sdfcheck.consumers.engines.staging import Stage
 from sdfcheck.convert.comparison import Difference
 from sdfcheck.robot.motion.mass import MassProperties
-from sdfcheck.robot.motion.mechanism import Mechanism, degrees_of_freedom, link_poses, with_followers
+from sdfcheck.robot.motion.mechanism import Joint, Mechanism, degrees_of_freedom, link_poses, with_followers
 from sdfcheck.robot.motion.poses import Array, angle_between, inverse
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.splice import replaced
 
 if TYPE_CHECKING:
     from sdfcheck.convert.result import Comparison, Conversion
@@ -64,55 +65,95 @@ class Robot(NamedTuple):
     ranges: Mapping[str, tuple[float, float]]
 
 
-def differences(done: Conversion, source: Document, judges: Iterable[Judge]) -> list[Difference]:
-    """In what the consumers' readings of source and result differ.
+class Opinion(NamedTuple):
+    """In what the consumers' readings of source and result differ."""
+
+    differences: list[Difference]
+    blind: dict[Judge, str]
+    """The consumers that do not read the source, even without its shapes, and why."""
+
+
+def second_opinion(done: Conversion, source: Document, judges: Iterable[Judge]) -> Opinion:
+    """Let consumers read source and result.
 
     Raises:
-        WrongUsage: a consumer is not installed, or does not read the source.
+        WrongUsage: a consumer is not installed.
     """
-    found: list[Difference] = []
+    found = Opinion([], {})
     with Stage() as stage:
         for judge in judges:
             for comparison in done.comparisons:
-                found += _judged(judge, comparison, source, done, stage)
+                said = _judged(judge, comparison, source, done, stage)
+                if isinstance(said, str):
+                    found.blind[judge] = said
+                    break
+                found.differences.extend(said)
     return found
 
 
 def _judged(
     judge: Judge, comparison: Comparison, source: Document, done: Conversion, stage: Stage
-) -> list[Difference]:
+) -> list[Difference] | str:
+    """In what a consumer's readings differ, or why it does not read the source."""
     drawn = list(_drawn(comparison.source))
     there = [_translated(one, comparison) for one in drawn]
-    sides: list[Robot] = []
-    for document, own, configurations, whose in (
-        (source, comparison.source, drawn, "source"),
-        (done.document, comparison.result, there, "result"),
-    ):
-        answer = None
-        if document.kind in judge.kinds:
-            settings = {"configurations": [dict(one) for one in configurations]}
-            answer = ask(judge.engine, stage.question(document, "facts", settings), LIMITS)
-            if refusal := _refusal(judge, answer, whose):
-                return [refusal]
-        sides.append(_robot(answer, own, configurations))
-    return list(_unequal(judge, comparison, *sides))
+
+    def read(document: Document, configurations: Sequence[Mapping[str, float]], text: str) -> Answer | None:
+        if document.kind not in judge.kinds:
+            return None
+        settings = {"configurations": [dict(one) for one in configurations]}
+        answer = ask(judge.engine, stage.question(document, "facts", settings, text), LIMITS)
+        if answer.outcome is Outcome.MISSING:
+            raise WrongUsage(f"--verify-with {judge.value}: not installed: {answer.error}")
+        return answer
+
+    # What is compared does not depend on shapes, whose meshes may be missing, or of a format that it does not read.
+    for text_of in (_text, _text_without_shapes):
+        before, after = (
+            read(source, drawn, text_of(source)),
+            read(done.document, there, text_of(done.document)),
+        )
+        if _is_read(before) and _is_read(after):
+            break
+    if before is not None and not _is_read(before):
+        return before.error
+    if after is not None and not _is_read(after):
+        return [Difference("reading", judge.value, f"fails: {after.error}")]
+    robots = _robot(before, comparison.source, drawn), _robot(after, comparison.result, there)
+    return list(_unequal(judge, comparison, *robots))
 
 
-def _refusal(judge: Judge, answer: Answer, whose: str) -> Difference | None:
-    """Why there is nothing to compare; a refusal of the result alone is a difference."""
-    if answer.outcome is Outcome.MISSING:
-        raise WrongUsage(f"--verify-with {judge.value}: not installed: {answer.error}")
-    if answer.is_accepted and not answer.error:
-        return None
-    if whose == "source":
-        raise WrongUsage(f"--verify-with {judge.value}: it cannot read the source: {answer.error}")
-    return Difference("reading", judge.value, f"fails: {answer.error}")
+def _is_read(answer: Answer | None) -> bool:
+    return answer is None or (answer.is_accepted and not answer.error)
+
+
+def _text(document: Document) -> str:
+    return document.source.text
+
+
+def _text_without_shapes(document: Document) -> str:
+    """The text of a document without the visuals and collisions of links."""
+    shapes = (
+        document.spans.whole(each)
+        for each in document.elements
+        if each.name in {"visual", "collision"} and each.parent is not None and each.parent.name == "link"
+    )
+    return replaced(document.source.text, ((span.start, span.end, "") for span in shapes))
 
 
 def _drawn(robot: Mechanism) -> Iterator[dict[str, float]]:
-    """Random positions of the joints with one degree of freedom; the first are those of the file."""
+    """Random positions of the joints with one degree of freedom; the first are those of the file.
+
+    Joints that follow a follower stay where they are, with all in their chain: yourdfpy takes them from its leader's
+    position alone.
+    """
     random = np.random.default_rng(4_711)
-    single = [name for name, joint in robot.joints.items() if degrees_of_freedom(joint) == 1]
+    axes = {name: joint.axes[0] for name, joint in robot.joints.items() if joint.axes}
+    leaders = {name: axis.mimic.leader for name, axis in axes.items() if axis.mimic is not None}
+    held = {leaders[leader] for leader in leaders.values() if leader in leaders}
+    single = [
+        name for name, joint in robot.joints.items() if degrees_of_freedom(joint) == 1 and name not in held
+    ]
     yield {}
     for _ in range(CONFIGURATIONS - 1):
         values = dict(zip(single, random.uniform(-1, 1, len(single)), strict=True))
@@ -176,6 +217,8 @@ def _unequal(judge: Judge, comparison: Comparison, before: Robot, after: Robot) 
         other_range = after.ranges.get(to.joint_of_axis(name, 0)[0])
         if name in to.dropped_joints or name not in comparison.source.joints or other_range is None:
             continue
+        if _is_read_otherwise(judge, comparison.source.joints[name]):
+            continue
         if not (_near(lower, other_range[0]) and _near(upper, other_range[1])):
             text = f"is {lower:g} to {upper:g}, and then {other_range[0]:g} to {other_range[1]:g}"
             yield Difference("range", name, f"{text} in {judge.value}")
@@ -201,6 +244,12 @@ def _moved(judge: Judge, comparison: Comparison, before: Robot, after: Robot) ->
                 yield Difference("link", name, text)
 
 
+def _is_read_otherwise(judge: Judge, joint: Joint) -> bool:
+    """Does a consumer take a range without width for none, or the limits of a continuous joint for limits?"""
+    is_locked = any(axis.lower == axis.upper for axis in joint.axes)
+    return joint.kind == "continuous" or (judge is Judge.MUJOCO and is_locked)
+
+
 def _groups(robot: Mechanism) -> list[list[str]]:
     """The links that fixed joints tie together, the one that carries the others first."""
     head = {name: name for name in robot.links}
@@ -215,8 +264,10 @@ def _groups(robot: Mechanism) -> list[list[str]]:
 
 def _invents(group: Sequence[str], comparison: Comparison) -> bool:
     """Is there a link without mass, of which consumers make what they like?"""
-    bodies = [comparison.source.links[name].body for name in group]
-    return any(body is None or not body.mass > 0 for body in bodies)
+    links = [comparison.source.links[name] for name in group]
+    return any(
+        each.body is None or not each.body.mass > 0 or not each.element.has("inertial") for each in links
+    )
 
 
 def _total(

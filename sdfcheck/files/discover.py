@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.regular import oddity
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import relative_path
 
 if TYPE_CHECKING:
     from sdfcheck.files.git import Ignores, Listing
@@ -22,6 +24,12 @@ _FOREIGN_FOLDERS = frozenset({"__pycache__", "node_modules", "site-packages"})
 # Folders that build tools write, known by what the tools leave in them.
 _BUILD_FOLDERS = frozenset({"build", "devel", "install", "log", "venv"})
 _BUILD_MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE", ".catkin", "CMakeCache.txt", "pyvenv.cfg")
+_REFUSED = re.compile(
+    r"(?:^|/)tests?(?:_?data)?/(?:[^/]*/)*(?:[^/]*[_.-])?"
+    r"(?:bad|broken|corrupt|errors?|fail|failing|faulty|illegal|incorrect|invalid|malformed|warning|wrong)"
+    r"(?:[_.-][^/]*)?(?:/|$)"
+)
+"""Files of tests that are to be refused."""
 
 
 class DiscoveredFile(NamedTuple):
@@ -58,10 +66,9 @@ def discover(
 ) -> Found:
     """Find the files that ``paths`` name, and the robot descriptions below the folders among them.
 
-    Hidden folders, ``node_modules``, ``site-packages``, ``__pycache__`` and the folders
-    of build tools are not entered, nor are symbolic links to folders. A file that was
-    named is found whatever ``exclude`` says, unless ``force_exclude``. A folder that
-    was named is walked even where it is hidden or ignored itself.
+    Hidden folders, ``node_modules``, ``site-packages``, ``__pycache__`` and the folders of build tools are not
+    entered, nor are symbolic links to folders. A file that was named is found whatever ``exclude`` says, unless
+    ``force_exclude``. A folder that was named is walked even where it is hidden or ignored itself.
 
     Raises:
         WrongUsage: a path does not exist.
@@ -75,12 +82,17 @@ def discover(
             if not walked:
                 empty.append(path)
             for file in walked:
-                if exclude(file):
-                    left.skipped.append((file, "excluded by the configuration"))
+                reason = "excluded by the configuration" if exclude(file) else _said_by_name(file, path)
+                if reason:
+                    left.skipped.append((file, reason))
                 else:
                     found.setdefault(os.path.abspath(file), DiscoveredFile(file, named=False))
         elif not os.path.exists(path):
-            raise WrongUsage(f"no such file or folder: {path}")
+            name, sign, value = str(path).partition("=")
+            hint = (
+                f"; an argument of xacro is written `{name}:={value}`" if sign and name.isidentifier() else ""
+            )
+            raise WrongUsage(f"no such file or folder: {path}{hint}")
         elif force_exclude and exclude(path):
             left.skipped.append((path, "excluded by the configuration"))
         else:
@@ -89,6 +101,12 @@ def discover(
                 found[key] = DiscoveredFile(path, named=True)
     files = sorted(found.values(), key=lambda file: file.path.as_posix())
     return Found(tuple(files), _once(left.skipped), tuple(empty), _once(left.unreadable))
+
+
+def _said_by_name(file: Path, top: Path) -> str:
+    """Why a file that was found in a folder is left out, by its path; empty if it is not."""
+    is_refused = _REFUSED.search(relative_path(file, top).replace(os.sep, "/"))
+    return "a test of faulty files, by its name" if is_refused else ""
 
 
 def _once(entries: list[tuple[Path, str]]) -> tuple[tuple[Path, str], ...]:

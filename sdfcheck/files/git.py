@@ -210,6 +210,20 @@ class Ignores:
         return Ignores((*self._layers, (os.path.abspath(folder), _compile(lines))))
 
 
+def is_ignored(path: str | os.PathLike[str]) -> bool:
+    """Does a repository leave out a file, which need not be there, as what a build makes or a download brings?"""
+    absolute = Path(os.path.abspath(path))
+    root = work_tree(absolute.parent)
+    if root is None:
+        return False
+    ignores = Ignores()._reading(root, ".git/info/exclude").entering(root)
+    for place in (*reversed([each for each in absolute.parents if root in each.parents]), absolute):
+        if ignores.ignore(place, folder=place != absolute):
+            return True
+        ignores = ignores.entering(place)
+    return False
+
+
 def _compile(lines: list[str]) -> GitIgnoreSpec:
     """The patterns; like git, ignore lines that are not patterns."""
     from pathspec import GitIgnoreSpec

@@ -64,6 +64,7 @@ class MissingKind(Enum):
     REMOTE = "address on the network"
     LFS = "Git LFS file"
     SUBMODULE = "submodule"
+    IGNORED = "ignored file"
 
 
 class Missing(NamedTuple):

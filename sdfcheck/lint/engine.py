@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -52,11 +52,17 @@ _ANALYSES = {
 """Where the analyses of each kind of document are; a run loads those that it needs."""
 
 
+OF_BODIES = frozenset({"GEO", "INR"})
+"""Families of rules that find errors only where their own severity says so."""
+
+
 class Xacro(NamedTuple):
     """How to expand a xacro file: by whom (None: not at all), once for each set of arguments."""
 
     expander: Expander | None
     argument_sets: tuple[Mapping[str, str], ...] = ()
+    variants: bool = True
+    """Is the robot also looked at with other values of its arguments?"""
 
 
 class Dispatch:
@@ -81,7 +87,19 @@ class Dispatch:
                 groups.setdefault(looked_at, []).append(facts)
         self.groups = [(Subjects(*looked_at), rules) for looked_at, rules in groups.items()]
         """Subjects, each with the rules that look at them."""
+        self._active = active
         self._of_kind: dict[Kind, list[tuple[frozenset[str] | None, Subjects, list[RuleFacts]]]] = {}
+
+    @cached_property
+    def of_errors(self) -> Dispatch:
+        """The same without the rules about bodies that only warn, which take longest."""
+        kept = tuple(
+            facts
+            for facts in self._active.facts
+            if facts.family not in OF_BODIES
+            or self.severities.get(facts.code, facts.severity) is Severity.ERROR
+        )
+        return Dispatch(self.index, self._active._replace(facts=kept))
 
     def groups_of(self, document: Document) -> Iterator[tuple[Subjects, list[RuleFacts]]]:
         """Those of the groups that a document can have subjects for, by its kind and the names in it."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
@@ -25,6 +26,7 @@ from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, is_
 from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
+from sdfcheck.xacro.static.likely_mistakes import missing_prefixes
 from sdfcheck.xacro.static.macro_survey import TRANSPARENT, Bodies, unexpanded
 
 # Lints a xacro file: as it is written, and as what it expands to.
@@ -35,6 +37,8 @@ def lint_xacro(
     dispatch: Dispatch,
     expander: Expander | None,
     argument_sets: Sequence[Mapping[str, str]] = (),
+    *,
+    variants: bool = True,
 ) -> list[Diagnostic]:
     """All diagnostics of a xacro file, where people edit it; without ``expander`` it is only read."""
     prepared = prepare(document, expander, argument_sets)
@@ -49,18 +53,36 @@ def lint_xacro(
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
-    found += [_with_cause(each) for each in built if not any(_overlap(each.span, span) for span in left)]
-    if expander is not None and not argument_sets and len(prepared.documents) == 1:
+    calls = _left_calls(document)
+    found += [
+        _with_cause(each, calls) for each in built if not any(_overlap(each.span, span) for span in left)
+    ]
+    if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
     return without_repeats(fold(found))
 
 
-def _with_cause(found: Diagnostic) -> Diagnostic:
-    """The same, with its own place as the cause where another file has what xacro may have been meant to read there."""
+def _with_cause(found: Diagnostic, calls: Mapping[tuple[str, int], Span]) -> Diagnostic:
+    """The same with its cause, where xacro may have been meant to read something there: a call, or a part of a file."""
+    if call := calls.get((found.span.source.real_path, found.span.start)):
+        return found._replace(cause=call)
     if found.cause is not None or not found.origins:
         return found
     is_left = found.span.text in KEYWORDS or BRACES.search(found.span.text)
     return found._replace(cause=found.span) if is_left else found
+
+
+def _left_calls(document: Document) -> dict[tuple[str, int], Span]:
+    """The places of elements that lack the prefix of xacro, and of those around them → where that is reported."""
+    causes = {}
+    for reading in visible_definitions(document).readings:
+        written = reading.document
+        for problem in missing_prefixes(written):
+            for span in (problem.span, *problem.others):
+                element = written.elements[bisect_right(written.scan.starts, span.start) - 1]
+                for each in filter(None, (element, element.parent)):
+                    causes[written.source.real_path, each.span.start] = problem.span
+    return causes
 
 
 def _overlap(one: Span, other: Span) -> bool:
@@ -97,6 +119,8 @@ _OFF = frozenset({"false", "False", "0"})
 _OF_ENVIRONMENT = re.compile(r"^\$\(optenv\s+\w+\s+(\w+)\s*\)$")
 _FILLED = "any_"
 _MOST_VARIANTS = 8
+_MOST_ERRORS = 5
+"""With a value that brings more of them the robot is not meant to be at all."""
 _MOST_ELEMENTS = 6_000
 """So many elements all variants of a robot may have together, and each by itself."""
 
@@ -121,7 +145,7 @@ def _lint_variants(
 
     seen = set(map(_where, known))
     most = min(_MOST_VARIANTS, _MOST_ELEMENTS // len(robot.elements))
-    values = dict(islice(_other_values(document), most))
+    values = dict(islice(other_values(document), most))
     together = new(values) if values else []
     left = None if together is None else set(map(_where, together))
     for name, value in values.items():
@@ -129,7 +153,8 @@ def _lint_variants(
             continue
         if left is not None and left <= seen:
             return
-        for each in new({name: value}) or ():
+        errors = new({name: value}) or []
+        for each in errors if len(errors) <= _MOST_ERRORS else ():
             if left is None or _where(each) in left:
                 seen.add(_where(each))
                 message = f"{each.message} (with `{name}:={value}`)"
@@ -151,7 +176,7 @@ def _errors_with(
     if expanded.source.text == robot.source.text or len(expanded.elements) > _MOST_ELEMENTS:
         return []
     expanded.library = document.library
-    found = fold(settle(lint_document(expanded, dispatch), expanded, document))
+    found = fold(settle(lint_document(expanded, dispatch.of_errors), expanded, document))
     return [each for each in found if each.severity is Severity.ERROR]
 
 
@@ -159,7 +184,7 @@ def _where(found: Diagnostic) -> tuple[str, Path, int]:
     return found.code, found.span.source.path, found.span.start
 
 
-def _other_values(document: Document) -> Iterator[tuple[str, str]]:
+def other_values(document: Document) -> Iterator[tuple[str, str]]:
     """Names of arguments, each with a value that its default is not."""
     visible = visible_definitions(document)
     defaults: dict[str, str] = {}

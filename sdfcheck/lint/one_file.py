@@ -78,10 +78,11 @@ def lint_source(
         from sdfcheck.lint.expanded import lint_xacro
         from sdfcheck.xacro.static.definitions import is_robot
 
-        expander, sets = xacro or Xacro(None)
+        expander, sets, variants = xacro or Xacro(None)
         # A file that includes this one calls its macros, and shows the problems in them.
         is_open = expander is None or not is_robot(document)
-        return result(lint_xacro(document, dispatch, expander, sets), document, open=is_open)
+        found = lint_xacro(document, dispatch, expander, sets, variants=variants)
+        return result(found, document, open=is_open)
     return result(lint_document(document, dispatch), document)
 
 
@@ -194,14 +195,14 @@ _EXPRESSION = re.compile(rb"\$[({]")
 
 
 def lint_file(
-    file: Selected, book: RuleBook, settings: Settings, caches: Caches
+    file: Selected, book: RuleBook, settings: Settings, caches: Caches, *, variants: bool = True
 ) -> tuple[Sequence[Diagnostic], int]:
-    """The diagnostics of one file, and how many were silenced."""
+    """The diagnostics of one file, and how many were silenced; of xacro with its ``variants``."""
     # The parser knows what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
     # The process of the expansion gets ready while the rest is loaded here.
     is_expanded = kind in {Kind.XACRO, Kind.SRDF} or (kind is Kind.URDF and _EXPRESSION.search(file.data))
-    xacro = caches.xacro(settings, file.path) if is_expanded else None
+    xacro = caches.xacro(settings, file.path)._replace(variants=variants) if is_expanded else None
     dispatch, library = book.dispatch(settings, file.path), caches.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)
     return _silence(result, book, settings, file.path)

@@ -444,7 +444,7 @@ def _expanded(workspace: Workspace, document: Document, arguments: Mapping[str, 
     from sdfcheck.xacro.prepare import expand_as_launched
 
     settings = workspace.settings_for(document.path)
-    expander, sets = workspace.caches.xacro(settings, document.path)
+    expander, sets, _ = workspace.caches.xacro(settings, document.path)
     if expander is None:
         raise WrongUsage("the setting expandXacro is off")
     done = expand_as_launched(document, expander.expand, {**(sets[0] if sets else {}), **arguments})

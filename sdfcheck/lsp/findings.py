@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -20,6 +20,7 @@ from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
 from sdfcheck.source.text import Source, Span
+from sdfcheck.xacro.static.definitions import is_robot
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -67,20 +68,9 @@ def glance(buffer: Buffer, last: Look, dispatch: Dispatch) -> list[Diagnostic] |
     else:
         own = lint_document(_part(document, [unit], last), dispatch)
         found = [each for each in own if each.span.source is source and start <= each.span.start < end]
-    shift = len(source.text) - len(last.source.text)
-
-    def moved(span: Span) -> Span | None:
-        """A place in the text before; None in what has changed."""
-        if span.source is not last.source:
-            return span
-        if start < span.end and span.start < end - shift:
-            return None
-        by = shift if span.start >= end - shift else 0
-        return source.span(span.start + by, span.end + by)
-
     tags = set() if document else {each.code for each in found}
-    before = (_moved(each, moved) for each in last.found if each.code not in tags)
-    kept = [each for each in before if each is not None]
+    before = (each for each in last.found if each.code not in tags)
+    kept = _kept(before, last.source, source, start, end)
     known = {(each.code, each.message) for each in kept}  # one may be about all that are alike
     return [*kept, *(each for each in found if (each.code, each.message) not in known)]
 
@@ -125,6 +115,23 @@ def _of_tags(source: Source, start: int, end: int, dispatch: Dispatch) -> list[D
 
     found = (_moved(each, moved) for each in explain(piece.problems, piece, dispatch))
     return [each for each in found if each is not None]
+
+
+def _kept(
+    found: Iterable[Diagnostic], before: Source, source: Source, start: int, end: int
+) -> list[Diagnostic]:
+    """The diagnostics of a text before it changed in a range, where they are now; those in the range are gone."""
+    shift = len(source.text) - len(before.text)
+
+    def moved(span: Span) -> Span | None:
+        if span.source is not before:
+            return span
+        if start < span.end and span.start < end - shift:
+            return None
+        by = shift if span.start >= end - shift else 0
+        return source.span(span.start + by, span.end + by)
+
+    return [each for one in found if (each := _moved(one, moved)) is not None]
 
 
 def _moved(found: Diagnostic, moved: Callable[[Span], Span | None]) -> Diagnostic | None:
@@ -186,6 +193,14 @@ class _Foreign(NamedTuple):
     """The generation of documents that it was found in."""
 
 
+class _Robot(NamedTuple):
+    """The findings in a robot in xacro with its usual arguments, and those that others bring out."""
+
+    source: Source
+    usual: tuple[Diagnostic, ...]
+    others: tuple[Diagnostic, ...]
+
+
 class Findings:
     """The known problems, for each root that was linted and each file that one of them includes."""
 
@@ -199,20 +214,49 @@ class Findings:
         self._foreign: dict[str, _Foreign] = {}
         self._looks: dict[str, tuple[Look | None, int]] = {}
         """Open file → what a glance at it needs, and the generation of documents."""
-        self._glanced: dict[str, Source] = {}
+        self._glanced: dict[str, tuple[Source, int]] = {}
+        self._robots: dict[str, _Robot] = {}
 
     def glance(self, buffer: Buffer) -> bool:
-        """Look at what has changed in an open text, if that alone can be looked at; the rest is for :meth:`lint`."""
-        key, last = self.workspace.key(buffer.path), self._last(buffer)
-        if last is None or last.source is buffer.source:
+        """Look at an open text as far as that takes no time: at what has changed in a world, if that alone can be
+        looked at; at a robot in xacro with the arguments that it has. The rest is for :meth:`lint`.
+        """
+        key, state = self._state(buffer)
+        if self._looked.get(key) == state:
             return False
-        if self._glanced.get(key) is buffer.source:
-            return True
+        if self._glanced.get(key) != state:
+            found = self._usual(buffer) if buffer.kind is Kind.XACRO else self._changed(buffer)
+            if found is None:
+                return False
+            self._by_root[key], self._glanced[key] = tuple(found), state
+        return True
+
+    def _changed(self, buffer: Buffer) -> list[Diagnostic] | None:
+        """The findings in a world of which one part has changed; None where all of it is to be looked at."""
+        last = self._last(buffer)
+        if last is None:
+            return None
         dispatch = self.workspace.book.dispatch(self.workspace.settings_for(buffer.path), buffer.path)
-        found = glance(buffer, last, dispatch)
-        if found is not None:
-            self._by_root[key], self._glanced[key] = tuple(found), buffer.source
-        return found is not None
+        return glance(buffer, last, dispatch)
+
+    def _usual(self, buffer: Buffer) -> list[Diagnostic] | None:
+        """The findings in a robot with its usual arguments, and those with others that were known; None without any."""
+        from sdfcheck.lint.expanded import other_values
+
+        document, key = self.workspace.document(buffer.path), self.workspace.key(buffer.path)
+        if document is None or not is_robot(document) or not any(True for _ in other_values(document)):
+            return None
+        self._lint(buffer.path, buffer.data, buffer, variants=False)
+        source, usual = buffer.source, self._by_root[key]
+        before, _, others = self._robots.get(key, _Robot(source, (), ()))
+        start, rest = same_ends(before.text, source.text)
+        kept = _kept(others, before, source, start, len(source.text) - rest)
+        self._robots[key] = _Robot(source, usual, tuple(kept))
+        self.workspace.caches.tidy()
+        return [*usual, *kept]
+
+    def _state(self, buffer: Buffer) -> tuple[str, tuple[Source, int]]:
+        return self.workspace.key(buffer.path), (buffer.source, self.workspace.generation)
 
     def near(self, buffer: Buffer, offset: int) -> Document | None:
         """An open text as far as it tells about a place; None where all of it is to be asked, or was."""
@@ -229,10 +273,13 @@ class Findings:
 
     def lint(self, buffer: Buffer) -> None:
         """Look at an open text, and at what it includes for the first time; at the same text once."""
-        key, state = self.workspace.key(buffer.path), (buffer.source, self.workspace.generation)
+        key, state = self._state(buffer)
         if self._looked.get(key) != state:
             self._lint(buffer.path, buffer.data, buffer)
-            self._looked[key] = state
+            self._looked[key], robot = state, self._robots.get(key)
+            if robot is not None and robot.source is buffer.source:
+                others = (each for each in self._by_root[key] if each not in robot.usual)
+                self._robots[key] = robot._replace(others=tuple(others))
             known = look(buffer, self._by_root[key], self._last(buffer))
             self._looks[key] = known, self.workspace.generation
             self.workspace.caches.tidy()
@@ -269,10 +316,11 @@ class Findings:
         self._looked.pop(key, None)
         self._looks.pop(key, None)
         self._glanced.pop(key, None)
+        self._robots.pop(key, None)
         for root in self._roots_for.pop(key, set()):
             self._by_root.pop(root, None)
 
-    def _lint(self, path: Path, data: bytes, buffer: Buffer | None) -> None:
+    def _lint(self, path: Path, data: bytes, buffer: Buffer | None, *, variants: bool = True) -> None:
         workspace, key = self.workspace, self.workspace.key(path)
         if buffer is not None and not buffer.is_linted:
             self._by_root[key] = ()
@@ -284,7 +332,8 @@ class Findings:
         self._loosen(key)
         kind = buffer.kind if buffer is not None else sniff(data[:HEAD], path)
         try:
-            found, _ = lint_file(Selected(path, data, kind), workspace.book, settings, workspace.caches)
+            file = Selected(path, data, kind)
+            found, _ = lint_file(file, workspace.book, settings, workspace.caches, variants=variants)
         except WrongUsage as error:  # a selector that names no rule
             workspace.fault = str(error)
             found = ()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import accumulate, islice
 from pathlib import Path
@@ -97,7 +97,7 @@ class Expanded:
         """The same, by what is named."""
         found: dict[Key, list[Occurrence]] = {}
         for each in self.all:
-            found.setdefault((each.symbol.kind, each.symbol.name), []).append(each)
+            found.setdefault(each.symbol.called, []).append(each)
         return found
 
 
@@ -206,7 +206,7 @@ def expansions(
 
 
 def _expander(workspace: Workspace, root: Document) -> tuple[Expander | None, list[dict[str, str]]]:
-    expander, sets = workspace.caches.xacro(workspace.settings_for(root.path), root.path)
+    expander, sets, _ = workspace.caches.xacro(workspace.settings_for(root.path), root.path)
     return expander, [dict(each) for each in sets] or _usual_sets(root)
 
 
@@ -362,6 +362,12 @@ class Occurrences:
         """The innermost name at a place."""
         return next(iter(self.around(offset)), None)
 
+    def within(self, span: Span) -> list[Occurrence]:
+        """The names within that of a place."""
+        first = bisect_left(self._starts, span.start)
+        last = bisect_right(self._starts, span.end, first)
+        return [each for each in self.all[first:last] if each.span.end <= span.end and each.span != span]
+
 
 def _found(document: Document) -> Iterator[Occurrence]:
     if document.root is None:
@@ -380,7 +386,11 @@ def known_in(document: Document) -> Known:
 
 
 def _known_in(document: Document) -> Known:
-    return Known([visible_definitions(each) for each in (document, *roots_of(document))])
+    library = library_of(document)
+    around: list[Document | None] = [*roots_of(document)]
+    if not around and library is not None:  # a part of a part
+        around += (library.document(path, Kind.XACRO) for path in includers(document)[:MOST_ROOTS])
+    return Known([visible_definitions(each) for each in (document, *filter(None, around))], document)
 
 
 def is_made(document: Document) -> bool:
@@ -398,7 +408,13 @@ def occurrences(document: Document) -> Occurrences:
 
 
 def definitions(workspace: Workspace, document: Document, named: Occurrence) -> list[Span]:
-    """The places where what is named gets its name; empty where they are not known."""
+    """The places where what is named gets its name, or else what its expressions take; empty where nothing is known."""
+    found = _places(workspace, document, named)
+    inside = [] if found else occurrences(document).within(named.span)
+    return found or [place for each in inside for place in _places(workspace, document, each)]
+
+
+def _places(workspace: Workspace, document: Document, named: Occurrence) -> list[Span]:
     symbol = named.symbol
     is_open = symbol.span == named.span and not named.is_definition
     if symbol.kind in IN_XACRO:
@@ -566,9 +582,7 @@ def may_name(text: str, names: Iterable[str]) -> bool:
 
 def names_at(one: Expanded, span: Span) -> list[Key]:
     """The names that a place expands to."""
-    return list(
-        dict.fromkeys((each.symbol.kind, each.symbol.name) for each in one.by_place.get(place_of(span), ()))
-    )
+    return list(dict.fromkeys(each.symbol.called for each in one.by_place.get(place_of(span), ())))
 
 
 def everywhere(workspace: Workspace, document: Document, symbol: Symbol) -> list[Occurrence]:

@@ -109,18 +109,20 @@ class _Outliner(Generic[T]):
 
     def read(self) -> None:
         text, stack, known = self.text, self._stack, self.known
-        search = _TAGS[_MATERIAL.search(text) is not None].search
-        at = 0
-        while (tag := search(text, at)) is not None:
-            at = tag.end()
+        search = _TAGS[_MATERIAL.search(text) is not None].finditer
+        tags = search(text)
+        while (tag := next(tags, None)) is not None:
             match tag.lastindex:
+                case 4 if stack and stack[-1][0] == tag[4]:
+                    self._close(tag.end(), is_whole=True)
                 case 4 if stack:
-                    self._end(tag[4], tag.start(), at)
+                    self._end(tag[4], tag.start(), tag.end())
                 case 3:
-                    start = tag.start()
+                    start, at = tag.span()
                     if start in known:
                         at, found = known[start]
                         (stack[-1][6] if stack else self.top).append(found)
+                        tags = search(text, at)
                         continue
                     kind, name, inside, _ = tag.groups()
                     detail, place = kind, tag.span(2)
@@ -135,14 +137,13 @@ class _Outliner(Generic[T]):
             self._close(len(text), is_whole=False)
 
     def _end(self, kind: str, start: int, end: int) -> None:
-        """Take an end tag: it ends the innermost element of its name, and those in it."""
+        """Take the end tag of an element that is not the innermost: it ends those in it, too."""
         stack = self._stack
-        if stack[-1][0] != kind:
-            if not any(each[0] == kind for each in stack):
-                self._stray = end
-                return
-            while stack[-1][0] != kind:
-                self._close(start, is_whole=False)
+        if not any(each[0] == kind for each in stack):
+            self._stray = end
+            return
+        while stack[-1][0] != kind:
+            self._close(start, is_whole=False)
         self._close(end, is_whole=True)
 
     def _close(self, end: int, *, is_whole: bool) -> None:

@@ -130,11 +130,13 @@ class Spread:
     def _follow(self, named: Occurrence, text: str) -> None:
         """Write another text at the place of a name, and wherever that leads."""
         kind, span = named.symbol.kind, named.span
-        is_open = not named.is_definition and named.symbol.span == span
+        is_elsewhere = named.symbol.span.source.real_path != span.source.real_path
+        is_open = not named.is_definition and (named.symbol.span == span or is_elsewhere)
         keys = {key for one in self.all for key in names_at(one, span)}
         rows = (each for one in self.all for key in keys for each in one.by_name.get(key, ()))
         if is_open and not any(each.is_definition for each in rows):
-            raise Refused(f"no file is known that defines {kind} `{named.symbol.name}`")
+            what = "robot is known that has" if is_elsewhere else "file is known that defines"
+            raise Refused(f"no {what} {kind} `{named.symbol.name}`")
         self._write(span, text)
         while self._waiting:
             number, key = self._waiting.pop()
@@ -158,7 +160,7 @@ class Spread:
 
     def _name(self, number: int, row: Occurrence, after: str | None) -> None:
         """A place comes to another value: what it names is called so from now on."""
-        key = row.symbol.kind, row.symbol.name
+        key = row.symbol.called
         fits = after is not None and after.startswith(row.before) and after.endswith(row.after)
         if after is None or not fits:
             raise Refused(f"{_where(row.span)} expands to `{total(row)}` in a way that cannot be followed")
@@ -224,7 +226,7 @@ class Spread:
         at = span
         for _ in range(_DEEPEST):
             found = _expression(text, value, wanted)
-            given = None if found is None else self._giver(number, found[0], origins)
+            given = None if found is None else self._giver(number, found[0], at, origins)
             if found is None or given is None:
                 break
             at, origins = given
@@ -237,9 +239,11 @@ class Spread:
                 return
         raise Refused(f"{_where(span)} makes this name in a way that cannot be followed")
 
-    def _giver(self, number: int, word: str, origins: Sequence[Step]) -> tuple[Span, tuple[Step, ...]] | None:
+    def _giver(
+        self, number: int, word: str, place: Span, origins: Sequence[Step]
+    ) -> tuple[Span, tuple[Step, ...]] | None:
         """The place that gives a property, parameter or argument its value, and the calls around that."""
-        found = giver_of(word, tuple(origins), visible_definitions(self.all[number].root))
+        found = giver_of(word, place, tuple(origins), visible_definitions(self.all[number].root))
         return None if found is None or not found[0].text else (found[0].span, found[1])
 
     # Where no expansion comes
@@ -328,7 +332,9 @@ class Spread:
         changed = {path: texts[real] for path, real in read.items() if real in texts}
         if not changed:
             return
-        expander, _ = self.workspace.caches.xacro(self.workspace.settings_for(one.root.path), one.root.path)
+        expander = self.workspace.caches.xacro(
+            self.workspace.settings_for(one.root.path), one.root.path
+        ).expander
         assert isinstance(expander, LiveExpander)
         after = expander.tried(one.root, arguments, changed).text
         if after is None:
@@ -350,7 +356,7 @@ def _expected(document: ExpandedDocument, names: dict[Key, str]) -> str:
     flat.library = document.library
     places: dict[tuple[int, int], str] = {}
     for row in rows_of(flat):
-        name = names.get((row.symbol.kind, row.symbol.name))
+        name = names.get(row.symbol.called)
         if name is not None and row.span.source is flat.source:
             places[row.span.start, row.span.end] = escape(f"{row.before}{name}{row.after}", IN_QUOTES)
     for (start, end), name in sorted(places.items(), reverse=True):
@@ -469,7 +475,7 @@ def target(document: Document, offset: int) -> Target | None:
         return Target(named, span)
     literal = [each for each in pieces(span.text) if each.is_literal]
     if not literal:
-        words = [each for each in occurrences(document).all if _is_within(each.span, span)]
+        words = occurrences(document).within(span)
         if not words:
             raise Refused(f"`{span.text}` is made of expressions: rename what they take")
         word = min(words, key=lambda each: abs(each.span.start - offset))
@@ -477,10 +483,6 @@ def target(document: Document, offset: int) -> Target | None:
     at = offset - span.start
     nearest = min(literal, key=lambda each: max(each.start - at, at - each.end, 0))
     return Target(named, span.source.span(span.start + nearest.start, span.start + nearest.end))
-
-
-def _is_within(inner: Span, outer: Span) -> bool:
-    return outer.start <= inner.start and inner.end <= outer.end and inner != outer
 
 
 def rename(workspace: Workspace, document: Document, target: Target, name: str) -> list[TextEdit]:
@@ -589,6 +591,10 @@ def _is_in(symbol: Symbol, macro: Macro) -> bool:
 
 def _taken_in_robot(document: Document, symbol: Symbol, name: str) -> Iterator[str]:
     root = root_of(document)
+    if symbol.owner:
+        wanted = symbol._replace(name=name).called
+        yield from [symbol.kind] * any(each.symbol.called == wanted for each in occurrences(document).all)
+        return
     for scope in _scopes(root.scopes):
         if symbol.kind == "material":
             if isinstance(scope, Model) and root.is_urdf and name in scope.material_names.defined:

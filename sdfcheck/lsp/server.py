@@ -148,7 +148,9 @@ _PAUSE, _PATIENCE = 2.0, 30
 """A request for the diagnostics of files that are not open waits so many pauses, in s, for news."""
 
 _STEP, _STEPS = 0.01, 20
-"""After a glance at a change the whole text is looked at when it has been still for so many steps, in s."""
+"""After a glance the whole text, or robot with all arguments, is looked at when it has been still for so many steps,
+in s.
+"""
 
 
 class Protocol(LanguageServerProtocol):
@@ -356,6 +358,11 @@ class Server(LanguageServer):
         """Does the client ask for the diagnostics of what is open?"""
         return self.speech.is_able("text_document", "diagnostic")
 
+    @property
+    def _may_refresh(self) -> bool:
+        """May the client be asked to ask again?"""
+        return self.speech.is_able("workspace", "diagnostics", "refresh_support")
+
     async def _lint(self, key: str) -> None:
         number = self._edits.get(key)
 
@@ -450,7 +457,7 @@ class Server(LanguageServer):
 
     def _refresh(self, *, is_stale: bool) -> None:
         """Ask the client to ask again, as far as it takes that."""
-        if is_stale and self.speech.is_able("workspace", "diagnostics", "refresh_support"):
+        if is_stale and self._may_refresh:
             self.workspace_diagnostic_refresh(None)
         if self._seen == self.robots.generation:
             return
@@ -471,7 +478,7 @@ class Server(LanguageServer):
         """The diagnostics of an open text, as it is now."""
 
         def answer(buffer: Buffer) -> list[types.Diagnostic]:
-            if not self.findings.glance(buffer):
+            if not (self._may_refresh and self.findings.glance(buffer)):
                 self.findings.lint(buffer)
             return list(map(self.speech.diagnostic, self.findings.at(buffer.path)))
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from sdfcheck.files.library import library_of
 from sdfcheck.formats.srdf import references as names_in_srdf
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol
 from sdfcheck.robot.naming.references import NAMING
 from sdfcheck.robot.semantics import own_kind
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
-from sdfcheck.xacro.language import PREFIX, is_literal, matches, replaced
+from sdfcheck.xacro.language import BUILT_IN, KEYWORDS, PREFIX, is_literal, matches, parameters, replaced
 from sdfcheck.xacro.static.definitions import Definitions, Macro, reading
+from sdfcheck.xacro.static.project import definer
 
 # The names in a text with xacro: of macros, parameters, properties and arguments, and of the robot as
 # written.
@@ -41,6 +44,8 @@ _REFERENCES: Mapping[tuple[str, str], tuple[str, ...]] = {
 """Element and attribute → the kinds of what they refer to."""
 _TEXTS = frozenset({"parent", "child"})
 _DEFINED = frozenset({"link", "joint", "frame", "model", "group"})
+_IN_LINKS = frozenset({"sensor", "collision"})
+"""The parts of links that have names of their own in each, in SDFormat."""
 _HOLDERS_OF_JOINTS = frozenset({"transmission", "ros2_control", "mimic", "group", "group_state"})
 
 
@@ -56,7 +61,8 @@ class Naming(NamedTuple):
 
 def namings(element: Element) -> Iterator[Naming]:
     """The values of an element that name parts of the robot, by their place alone."""
-    name = element.name
+    name, root = element.name, element.document.root
+    is_sdf = root is not None and root.name == "sdf"
     for attribute in element.attributes:
         kinds = _REFERENCES.get((name, attribute))
         value = element.attribute(attribute)
@@ -64,12 +70,14 @@ def namings(element: Element) -> Iterator[Naming]:
             yield Naming(value, kinds, False)
     if name in _TEXTS and not element.attributes and element.content and not element.nodes:
         yield Naming(element.own_value, _NODES, False)
+    elif is_sdf and name == "collision" and element.content and not element.nodes:
+        yield Naming(element.own_value, ("collision",), False)
     elif _is_parameter(element):
         yield Naming(element.own_value, _NODES, False, is_sure=False)
     value = element.attribute("name")
     if value is None or not value.text.strip():
         return
-    kind = name if name in _DEFINED else own_kind(element)
+    kind = name if name in _DEFINED or (is_sdf and name in _IN_LINKS) else own_kind(element)
     if kind:
         yield Naming(value, (kind,), not _is_reference(element))
     elif name == "material":
@@ -95,10 +103,10 @@ def xacro_names(document: Document, known: Known) -> Iterator[Occurrence]:
     """Every place in a document where something is named, by what it and the robots that include it define."""
     yield from known.own(document)
     for call in reading(document).calls:
-        symbols = known.macros.get(call.name) or known.macros.get(call.name.rpartition(".")[2])
-        if symbols is not None:
-            for span in _called(call.element, call.name):
-                yield Occurrence(span, symbols[0])
+        symbol = known.macro(call.name)
+        if symbol is not None:
+            for span in _called(call.element):
+                yield Occurrence(span, symbol, before=span.text[: -len(symbol.name)])
     yield from _words(document, known)
     yield from _of_robot(document, known)
 
@@ -148,9 +156,14 @@ class Own:
 
 
 class Known:
-    """The symbols that a document can see, itself or in the robots that include it."""
+    """The symbols that a document can see, itself or in the robots that include it.
 
-    def __init__(self, visible: Iterable[Definitions]) -> None:
+    Of others that ``document`` uses, that of the one file of the project that defines it: what makes a robot of both
+    may be no file.
+    """
+
+    def __init__(self, visible: Iterable[Definitions], document: Document | None = None) -> None:
+        self._document = document
         self.macros: Names = {}
         self.properties: Names = {}
         self.arguments: Names = {}
@@ -159,15 +172,21 @@ class Known:
         self.parameters: dict[Element, Names] = {}
         """Macro → its parameters, with those of other macros of its name."""
         self.local: dict[Element, Names] = {}
+        self._callers: dict[str, list[tuple[Element, str]]] = {}
+        """Name of a macro → the macros that call it, with their names."""
         self.robot: dict[tuple[str, str], list[tuple[Element | None, Symbol]]] = {}
         self._patterns: dict[str, list[tuple[re.Pattern[str], int, Symbol]]] | None = None
-        seen: set[Document] = set()
+        self._seen: set[Document] = set()
         for read in (read for each in visible for read in each.readings):
-            if read.document not in seen:
-                seen.add(read.document)
-                self._add(read.document.view(Own))
+            if read.document not in self._seen:
+                self._add(read.document)
+                for kind, inside, symbol in read.document.view(Own).robot:
+                    self.robot.setdefault((kind, symbol.name), []).append((inside, symbol))
 
-    def _add(self, own: Own) -> None:
+    def _add(self, document: Document) -> None:
+        """Take what belongs to xacro in a document."""
+        self._seen.add(document)
+        own = document.view(Own)
         pairs = (
             (self.macros, own.macros),
             (self.properties, own.properties),
@@ -176,13 +195,29 @@ class Known:
         for known, given in pairs:
             for name, symbols in given.items():
                 known.setdefault(name, []).extend(symbols)
-        for macro, name, parameters in own.parameters:
+        for macro, name, symbols_of in own.parameters:
             taken = self.parameters[macro] = self.taken.setdefault(name, {})
-            for each, symbol in parameters.items():
+            for each, symbol in symbols_of.items():
                 taken.setdefault(each, []).append(symbol)
         self.local.update(own.local)
-        for kind, inside, symbol in own.robot:
-            self.robot.setdefault((kind, symbol.name), []).append((inside, symbol))
+        for caller in reading(document).macros:
+            for call in caller.calls:
+                self._callers.setdefault(call.rpartition(".")[2], []).append((caller.element, caller.name))
+
+    def _learn(self, kind: str, name: str) -> None:
+        """Take the one file of the project that defines a name which none of the others does."""
+        path = None if self._document is None else definer(self._document, kind, name)
+        library = None if self._document is None else library_of(self._document)
+        found = None if path is None or library is None else library.document(path, Kind.XACRO)
+        if found is not None and found not in self._seen:
+            self._add(found)
+
+    def macro(self, call: str) -> Symbol | None:
+        """The macro that a call means, by its name after those of its namespaces."""
+        name = call if call in self.macros else call.rpartition(".")[2]
+        if name not in self.macros:
+            self._learn("macro", name)
+        return next(iter(self.macros.get(name, ())), None)
 
     @property
     def groups(self) -> Iterator[list[Symbol]]:
@@ -203,14 +238,33 @@ class Known:
                 if each.span.source is document.source:
                     yield Occurrence(each.span, symbols[0], True)
 
+    def parameters_of(self, call: str) -> Names:
+        """The parameters of the macro that a call means."""
+        macro = self.macro(call) if call not in KEYWORDS else None
+        return self.taken.get(macro.name, {}) if macro is not None else {}
+
     def word(self, name: str, macro: Element | None) -> Symbol | None:
         """The meaning of a word in an expression, inside a macro or outside."""
-        while macro is not None:
-            found = self.parameters.get(macro, {}).get(name) or self.local.get(macro, {}).get(name)
-            if found is not None:
-                return found[0]
-            macro = next((each for each in macro.around if each.name == "xacro:macro"), None)
-        return next(iter(self.properties.get(name, ())), None)
+        around = [] if macro is None else [macro, *macro.around]
+        found = next(filter(None, (self._inside(each, name) for each in around)), None)
+        found = found or self.properties.get(name) or (self._of_callers(name, macro) if macro else None)
+        if found is None and name not in BUILT_IN:
+            self._learn("property", name)
+            found = self.properties.get(name)
+        return found[0] if found else None
+
+    def _inside(self, macro: Element, name: str) -> list[Symbol] | None:
+        return self.parameters.get(macro, {}).get(name) or self.local.get(macro, {}).get(name)
+
+    def _of_callers(self, name: str, macro: Element) -> list[Symbol] | None:
+        """A macro reads what those have that call it, too."""
+        waiting = [macro.attributes.get("name", "").removeprefix(PREFIX)]
+        for called in waiting:
+            for caller, own in self._callers.get(called, ()):
+                if found := self._inside(caller, name):
+                    return found
+                waiting += [own] if own not in waiting else []
+        return None
 
     def part(self, kinds: Iterable[str], text: str, macro: Element | None) -> Symbol | None:
         """The definition that a text names: that of the same text, in the same macro if there are several.
@@ -260,23 +314,21 @@ def _parameters(macro: Macro) -> Iterator[tuple[str, Symbol]]:
     if not macro.parameters:
         return
     span = macro.element.document.spans.attribute_value(macro.element, "params")
-    for parameter in macro.parameters:
+    for parameter in parameters(span.text):  # as it is written: XML makes one space of a line's end
         name = parameter.name.lstrip("*")
-        start = span.start + parameter.start + len(parameter.name) - len(name)
-        place = span.source.span(start, start + len(name))
-        if name and place.text == name:
-            yield name, Symbol("parameter", name, place)
+        start = span.start + parameter.end - len(name)
+        name = name.rstrip(",")
+        if name:
+            yield name, Symbol("parameter", name, span.source.span(start, start + len(name)))
 
 
-def _called(element: Element, name: str) -> Iterator[Span]:
-    """The name of the macro in a call, and in its end tag."""
+def _called(element: Element) -> Iterator[Span]:
+    """The name of the macro in a call, and in its end tag, with the prefix of xacro."""
     spans = element.document.spans
     if element.name == "xacro:call":
         yield spans.attribute_value(element, "macro")
-        return
-    last = len(name.rpartition(".")[2])
-    for span in filter(None, (element.span, spans.end_name(element))):
-        yield span.source.span(span.end - last, span.end)
+    else:
+        yield from filter(None, (element.span, spans.end_name(element)))
 
 
 def _words(document: Document, known: Known) -> Iterator[Occurrence]:
@@ -293,7 +345,8 @@ def _words(document: Document, known: Known) -> Iterator[Occurrence]:
             symbol = known.word(value.text, macro)
             if symbol is not None:
                 yield Occurrence(value.span, symbol)
-        taken = known.taken.get(element.name[len(PREFIX) :], {}) if element.name.startswith(PREFIX) else {}
+        called = element.text_of("macro") or "" if element.name == f"{PREFIX}call" else element.name
+        taken = known.parameters_of(called.removeprefix(PREFIX)) if element.name.startswith(PREFIX) else {}
         for name in element.attributes if taken else ():
             if name in taken:
                 yield Occurrence(spans.attribute_name(element, name), taken[name][0])
@@ -324,6 +377,6 @@ def _of_robot(document: Document, known: Known) -> Iterator[Occurrence]:
     for element, macro in reading(document).elements:
         for value, kinds, is_definition, is_sure in namings(element):
             text = value.text.strip()
-            symbol = known.part(kinds, text, macro)
+            symbol = None if kinds[0] in _IN_LINKS else known.part(kinds, text, macro)
             if symbol is not None or is_sure:
                 yield Occurrence(value.span, symbol or _symbol(kinds[0], text, value), is_definition)

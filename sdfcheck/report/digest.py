@@ -98,6 +98,7 @@ _SHOWN = {
     MissingKind.REMOTE: 3,
     MissingKind.LFS: 3,
     MissingKind.SUBMODULE: 8,
+    MissingKind.IGNORED: 3,
 }
 _SETTINGS = {
     MissingKind.PACKAGE: (
@@ -107,6 +108,7 @@ _SETTINGS = {
     MissingKind.REMOTE: "nothing is fetched from the network: download them, and give --model-path FOLDER",
     MissingKind.LFS: "only pointers to them are here: fetch them with `git lfs pull`",
     MissingKind.SUBMODULE: "their folders are empty: fetch them with `git submodule update --init`",
+    MissingKind.IGNORED: "git ignores them: run the build or the download that brings them",
 }
 
 

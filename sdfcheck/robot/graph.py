@@ -1703,7 +1703,7 @@ def references(plugin: Plugin, namings: Iterable[Naming]) -> Iterator[PluginRefe
             if name in _ALWAYS or _TEMPLATE.search(name):
                 continue
             name = name.removeprefix(f"{model.name}::")
-            if "::" in name and (not naming.is_scoped or model.may_hold(name)):
+            if "::" in name and (not naming.is_scoped or plugin.known is None or model.may_hold(name)):
                 continue
             yield PluginReference(value, naming.kind, model, model.resolve(name))
 
@@ -3466,7 +3466,7 @@ class Include(FileUse):
 
     @property
     def is_read_in_vain(self) -> bool:
-        """Does it lead to a file that cannot be included? A file that is not XML is reported in that file."""
+        """Does it lead to a file that cannot be included? Broken XML or a wrong root is reported in that file."""
         if self.obstacle is None or self.found.file is None or self._misspelling is not None:
             return False
         from sdfcheck.robot.includes.included import Obstacle

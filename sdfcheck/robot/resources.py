@@ -97,6 +97,13 @@ class FileUse(Part):
         return empty_folder(self.document, tried[0]) if tried else ""
 
     @property
+    def is_ignored(self) -> bool:
+        """Does git ignore the file where it is looked for first: does a build make it, or a download bring it?"""
+        from sdfcheck.files.git import is_ignored
+
+        return self.location is not None and any(map(is_ignored, self.location.tried[:1]))
+
+    @property
     def leads_nowhere(self) -> bool:
         """Is nothing where the URI leads, although it is one, and one that can be looked up here?"""
         raise NotImplementedError

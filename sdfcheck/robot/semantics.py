@@ -416,6 +416,7 @@ _ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
 _DECLARED = re.compile(
     r"^ *urdf:[ \r]*\n *package: *([\w.-]+)[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
 )
+_DECLARED_FILE = re.compile(r"^ *srdf:[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE)
 _GIVEN = re.compile(r"^ *xacro_args: *(.*(?:\n(?! *\w+:[^=]).*)*)", re.MULTILINE)
 _ARGUMENT = re.compile(r"(\w+):=(?:\"([^\"]*)\"|'([^']*)'|([^\s\"']*))")
 _NO_ARGUMENTS: Mapping[str, str] = {}
@@ -556,6 +557,10 @@ def declared(path: Path, packages: Packages) -> list[Declared]:
         text = read_regular(settings).decode("utf-8", "replace") if os.path.isfile(settings) else ""
     except OSError:
         return []
+    own = _DECLARED_FILE.search(text)
+    is_other = own is not None and path.suffix == ".srdf" and path.name != os.path.basename(own[1])
+    if own is not None and is_other and os.path.isfile(settings.parent / own[1]):
+        return []  # it is the robot of that file
     found = _DECLARED.search(text)
     folder = packages.find(found[1], path) if found is not None else None
     if found is None or folder is None:

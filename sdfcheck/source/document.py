@@ -318,6 +318,8 @@ _PIECE = pattern(
     re.DOTALL,
 )
 _WORD = pattern(r"\S+")
+_FIRST = pattern(r"<[A-Za-z_:][\w:.-]* ([A-Za-z_]\w*)=\"([^\"<]+)\"")
+"""A start tag and its first attribute, as they are usually written."""
 _LONG = 1000
 """Characters of a start tag that is kept."""
 
@@ -392,6 +394,10 @@ class Spans:
 
     def attribute_value(self, element: Element, name: str) -> Span:
         """The value between its quotes; the attribute's name where the value is empty."""
+        scan, index = self.found(element)
+        first = _FIRST.match(self.home(element).text, scan.starts[index])
+        if first is not None and first[1] == name:
+            return self.span(element, *first.span(2))
         place = self._attribute(element, name)
         if place is None:
             return self.name(element)

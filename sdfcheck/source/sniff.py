@@ -105,6 +105,8 @@ _TREATMENTS: Mapping[Kind, tuple[Treatment, Treatment]] = {
 ROOTS = ("sdf", "robot", "model")
 # Only robot descriptions have these suffixes, so other content is a mistake.
 _UNSHARED_SUFFIXES = frozenset({".urdf", ".world", ".xacro"})
+_OF_STAGE = ".world"
+"""The suffix of what Stage reads, too, in a language of its own."""
 _SUFFIXES = _UNSHARED_SUFFIXES | {".sdf"}
 TEMPLATE_SUFFIXES = frozenset({".em", ".erb", ".in", ".j2", ".jinja", ".jinja2", ".rsdf"})
 
@@ -132,11 +134,14 @@ _BODY = frozenset({"link", "joint"})
 _TAG = pattern(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
+_CONFIGURED = pattern(r"[\s\">]@[A-Z][A-Z0-9_]*@[\s\"<]")
+"""A value that CMake or a script writes."""
 
 
 def treatment(kind: Kind, path: Path, *, named: bool) -> Treatment:
     """The treatment of a file of this kind that was found in a walk, or named on the command line."""
-    if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in _UNSHARED_SUFFIXES:
+    unshared = _UNSHARED_SUFFIXES if kind is Kind.OTHER_XML else _UNSHARED_SUFFIXES - {_OF_STAGE}
+    if kind in {Kind.NOT_XML, Kind.OTHER_XML} and path.suffix.lower() in unshared:
         return Treatment.LINT
     return _TREATMENTS[kind][named]
 
@@ -237,7 +242,7 @@ def _beside_a_robot(text: str, suffixes: Sequence[str]) -> Kind | None:
         return None
     if not _SRDF_TAGS.isdisjoint(parts):
         return Kind.SRDF
-    return Kind.WEBOTS if "webots" in parts else None
+    return Kind.WEBOTS if "webots" in parts and "gazebo" not in parts else None
 
 
 def _parts(text: str) -> set[str]:
@@ -310,6 +315,8 @@ def _without_comments(text: str) -> str:
 
 def _is_template(text: str, path: Path) -> bool:
     """Whether template code is left; most of its marks count only if the file's name says template."""
+    if "@" in text and _CONFIGURED.search(_without_comments(text)):
+        return True
     if path.suffix.lower() in TEMPLATE_SUFFIXES:
         return _holds(text, _TEMPLATE_MARKS)
     if "%" not in text or not _holds(text, _TEMPLATE_TAGS):

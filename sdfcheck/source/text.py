@@ -7,7 +7,6 @@ import re
 from bisect import bisect_right
 from collections.abc import Mapping
 from functools import partial
-from itertools import accumulate
 from pathlib import Path
 from typing import cast
 
@@ -31,6 +30,7 @@ def pattern(text: str, flags: int = 0) -> re.Pattern[str]:
 
 
 _LINE_END = pattern(r"\r\n?|\n")
+_LINE_FEED = re.compile("\n")
 
 
 class Position(NamedTuple):
@@ -75,13 +75,8 @@ class Source:
     def line_starts(self) -> list[int]:
         """Offsets at which lines begin; LF, CRLF and CR all end a line."""
         if self._line_starts is None:
-            if "\r" in self.text:
-                self._line_starts = [0, *(match.end() for match in _LINE_END.finditer(self.text))]
-            else:
-                self._line_starts = [0]
-                lines = self.text.split("\n")
-                lines.pop()
-                self._line_starts += accumulate(len(line) + 1 for line in lines)
+            ends = _LINE_END if "\r" in self.text else _LINE_FEED
+            self._line_starts = [0, *[match.end() for match in ends.finditer(self.text)]]
         return self._line_starts
 
     def edited(self, start: int, end: int, text: str) -> Source:

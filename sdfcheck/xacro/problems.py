@@ -129,6 +129,8 @@ class Failure(Enum):
     WITHHELD = "withheld"
     FILE = "file"
     SUBMODULE = "submodule"
+    IGNORED = "ignored"
+    ABOVE = "above"
     SYNTAX = "syntax"
     TEXT = "text"
     PATTERN = "pattern"

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from sdfcheck.convert.independent import Judge, differences
+from sdfcheck.convert.independent import Judge, second_opinion
 from sdfcheck.convert.ledger import models
 from sdfcheck.convert.loss import NotConvertible
 from sdfcheck.convert.result import Conversion
@@ -101,7 +101,7 @@ def test_yourdfpy_places_their_links_alike(stride: Callable[[int], int]) -> None
     for document, done in conversions()[:: stride(16)]:  # a process for each takes its time
         if re.search("<drake:(capsule|ellipsoid)", done.text):
             continue  # shapes of URDF that it refuses
-        assert not differences(done, document, [Judge.YOURDFPY]), document.path
+        assert not second_opinion(done, document, [Judge.YOURDFPY]).differences, document.path
 
 
 def test_they_come_back_the_same() -> None:

@@ -434,7 +434,7 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         refused = [to_diagnostic(error.loss)]
         return Outcome(given.file, given.errors, refused, failed=True, stopping=refused)
     losses = [to_diagnostic(loss) for loss in done.losses]
-    different = _differences(done, given.document, request)
+    different, also_by = _differences(done, given.document, request)
     return Outcome(
         given.file,
         given.errors,
@@ -444,25 +444,35 @@ def converted(given: Input, convert: Convert, request: Request) -> Outcome:
         bool(different),
         stopping=different,
         broken=guess_in(given.document) if request.verify else None,
-        also_by=listed(request.verify_with),
+        also_by=also_by,
         encoding=given.encoding,
     )
 
 
-def _differences(done: Conversion, document: Document, request: Request) -> list[Diagnostic]:
-    """The findings of the comparison, as diagnostics of the source."""
+def _differences(done: Conversion, document: Document, request: Request) -> tuple[list[Diagnostic], str]:
+    """The findings of the comparison, as diagnostics of the source, and which consumers have compared."""
     found = list(done.verification.differences) if done.verification is not None else []
+    texts, also_by = [], ""
     if request.verify_with:
-        from sdfcheck.convert.independent import Judge, differences
+        from sdfcheck.convert.independent import Judge, second_opinion
 
-        found += differences(done, document, map(Judge, request.verify_with))
-    if not found or document.root is None:
-        return []
+        judges = list(map(Judge, request.verify_with))
+        opinion = second_opinion(done, document, judges)
+        found += opinion.differences
+        also_by = listed([judge.value for judge in judges if judge not in opinion.blind])
+        blind = [f"{judge.value} does not read the source: {why}" for judge, why in opinion.blind.items()]
+        if not also_by:
+            texts += [f"nothing was compared: {text}" for text in blind]
+        elif blind:
+            also_by += f" ({'; '.join(blind)})"
+    texts += [f"the result is not the same robot: {one.what} of `{one.name}` {one.text}" for one in found]
+    if not texts or document.root is None:
+        return [], also_by
     from sdfcheck.convert.loss import Loss, LossKind, to_diagnostic
 
-    texts = (f"the result is not the same robot: {one.what} of `{one.name}` {one.text}" for one in found)
     span = document.root.span
-    return [to_diagnostic(Loss(LossKind.NOT_VERIFIED, span, text, Severity.ERROR)) for text in texts]
+    losses = (Loss(LossKind.NOT_VERIFIED, span, text, Severity.ERROR) for text in texts)
+    return [to_diagnostic(loss) for loss in losses], also_by
 
 
 # ``sdfcheck convert``: what its commands have in common: results and the report.

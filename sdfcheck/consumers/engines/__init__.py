@@ -11,7 +11,6 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from enum import Enum
 from functools import cache
@@ -20,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.consumers.reaction import Consumer
+from sdfcheck.files.python import python_program
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 
@@ -147,7 +147,7 @@ class Answer(NamedTuple):
 def interpreter(engine: Engine) -> str:
     """The Python interpreter in which an engine can be asked; empty where it is not installed."""
     if not engine.package or find_spec(engine.package) is not None:
-        return sys.executable
+        return python_program()
     return os.environ.get(VARIABLE, "") if engine in _elsewhere(os.environ.get(VARIABLE, "")) else ""
 
 

@@ -11,12 +11,12 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from sdfcheck.consumers.engines.child import Refused, say
+from sdfcheck.files.python import python_program
 
 _VALID = "Valid."
 """Printed where there is no error; the exit code does not say it in all releases."""
@@ -96,7 +96,7 @@ def _call(option: str, question: dict[str, Any]) -> subprocess.CompletedProcess[
     environment = {**os.environ, "SDF_PATH": places}
     command = (*program(), option, path)
     if program() == (library(),):
-        command = (sys.executable, "-I", "-c", _CALL, library(), _FUNCTIONS[option], path)
+        command = (python_program(), "-I", "-c", _CALL, library(), _FUNCTIONS[option], path)
     return _run(command, cwd=folder, env=environment)
 
 

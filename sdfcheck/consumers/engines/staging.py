@@ -40,10 +40,14 @@ class Stage:
         self._folder.cleanup()
 
     def question(
-        self, document: Document, action: str = "load", settings: Mapping[str, Any] | None = None
+        self,
+        document: Document,
+        action: str = "load",
+        settings: Mapping[str, Any] | None = None,
+        text: str | None = None,
     ) -> Question:
-        """A question about a document: its file, if that is what was read, else a copy of its text."""
-        path, text = document.path, document.source.text
+        """A question about a document, maybe with another text: its file, if that has this text, else a copy."""
+        path, text = document.path, document.source.text if text is None else text
         suffix = ".sdf" if document.kind is Kind.SDF else ".urdf"
         is_copy = path.suffix.lower() != suffix or not _is_text_of(path, text)
         if is_copy:

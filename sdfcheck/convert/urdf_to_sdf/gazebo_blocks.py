@@ -455,12 +455,18 @@ class _LinkPart:
             merge(copied(entry), part)
 
     def _some_parts(self, entry: Element, role: str) -> list[Xml]:
-        """The shapes from the link that the block names, which a setting is about; reported if there are none."""
+        """The shapes from the link that the block names, which a setting is about; reported if it reaches some not."""
         parts = self.context.shapes_of.get((self.reference, role), [])
-        if not parts:
-            text = f"<{entry.name}> is left out: link `{self.reference}` has no {role}"
+        built = self.context.plan.shapes
+        reached = parts if built is None else [part for part in parts if entry in built[part].settings]
+        if reached and len(reached) < len(parts):
+            text = f"Gazebo gives <{entry.name}> of link `{self.reference}` to some of its {role}s only"
+            self.context.note(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
+        if not reached:
+            reason = f"Gazebo gives it to no {role} of" if parts else f"there is no {role} in"
+            text = f"<{entry.name}> is left out: {reason} link `{self.reference}`"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text, Severity.INFO)
-        return parts
+        return [self.context.shapes[part][1] for part in reached]
 
     def _script(self, entry: Element) -> None:
         if not text_of_setting(entry):

@@ -299,8 +299,8 @@ class Links:
 
     def _shape(self, part: Element, link: Xml, survivor: str, offset: Array) -> None:
         context = self.context
-        names = context.plan.shape_names
-        if names is not None and part not in names:
+        built = context.plan.shapes
+        if built is not None and part not in built:
             text = f"the {part.name} of link `{link_of(part)}` is left out: Gazebo stops reading the link before it"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
             shapes = (shape.name for each in part.children("geometry") for shape in each.children())
@@ -311,7 +311,7 @@ class Links:
             return
         shape, name = held
         node = link.add(part.name, None, name=self._name(part, survivor))
-        context.shapes_of.setdefault((link_of(part), part.name), []).append(node)
+        context.shapes_of.setdefault((link_of(part), part.name), []).append(part)
         context.mark(node, link_of(part))
         context.shapes[part] = link, node
         context.ledger.take(part)
@@ -382,8 +382,8 @@ class Links:
 
     def _name(self, part: Element, survivor: str) -> str:
         """The author's name, or the link's with a number; unique within the link. That of a consumer comes first."""
-        if self.context.plan.shape_names is not None:
-            return self.context.plan.shape_names[part]
+        if self.context.plan.shapes is not None:
+            return self.context.plan.shapes[part].name
         own = part.attributes.get("name", "").strip()
         # Each name with the last number that was tried behind it.
         names = self._names.setdefault((survivor, part.name), {})

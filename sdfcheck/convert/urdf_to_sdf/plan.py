@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.consumers.gazebo import GazeboRobot
+from sdfcheck.consumers.gazebo import BuiltShape, GazeboRobot
 from sdfcheck.convert.ledger import Ledger, Words
 from sdfcheck.convert.loss import Loss, LossKind, loss_at, refusal
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Massless, Options
@@ -129,8 +129,8 @@ class Plan:
     """Those that the consumer leaves out that is followed."""
     locked_joints: set[str] = field(default_factory=set)
     """Fixed joints of which it makes revolute ones that do not move."""
-    shape_names: dict[Element, str] | None = None
-    """The names that it gives to the visuals and collisions that it reads; None without such a consumer."""
+    shapes: dict[Element, BuiltShape] | None = None
+    """The visuals and collisions that it reads, each as it builds it; None without such a consumer."""
 
     def is_merged(self, link: str) -> bool:
         return self.home[link][0] != link
@@ -260,9 +260,9 @@ class _Merger:
 
 
 def _leave_out(made: Plan, built: GazeboRobot) -> None:
-    """Take over from a consumer what it leaves out, and what it calls the shapes of the rest."""
-    made.shape_names = {
-        shape.origin.element: shape.name
+    """Take over from a consumer what it leaves out, and how it builds the shapes of the rest."""
+    made.shapes = {
+        shape.origin.element: shape
         for link in built.links.values()
         for shape in (*link.visuals, *link.collisions)
     }
@@ -577,8 +577,8 @@ class Context:
     links: dict[str, Xml] = field(default_factory=dict)
     """The element that was written for each link (of the source) that survives."""
     joints: dict[str, Xml] = field(default_factory=dict)
-    shapes_of: dict[tuple[str, str], list[Xml]] = field(default_factory=dict)
-    """Link of the source and kind → the shapes that were written for it."""
+    shapes_of: dict[tuple[str, str], list[Element]] = field(default_factory=dict)
+    """Link of the source and kind → its visuals or collisions, as far as they were written."""
     shapes: dict[Element, tuple[Xml, Xml]] = field(default_factory=dict)
     """The visuals and collisions of the source → the link and the element that were written for each."""
     copies: list[tuple[Element, Xml, Xml]] = field(default_factory=list)

@@ -19,6 +19,7 @@ from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
 
 _NUMBERS = frozenset(("double", "float", "int", "unsigned int", "vector2d", "vector3", "pose"))
 
@@ -160,6 +161,8 @@ class SdfFindings(Findings):
             return
         if (parent.name, name) == ("link", "contact") and _is_of_pybullet(child):
             return
+        if self._follows_unclosed(child):
+            return
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name, self.version):
             places = likely_parents(places, parent, place)
@@ -168,6 +171,15 @@ class SdfFindings(Findings):
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
+
+    def _follows_unclosed(self, child: Element) -> bool:
+        """Is an element in one that may have got it only because another before it lacks its end tag?"""
+        return any(
+            isinstance(problem, SyntaxDefect)
+            and problem.kind is SyntaxKind.UNCLOSED_ELEMENT
+            and problem.span.start <= child.span.start
+            for problem in self.document.problems
+        )
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)

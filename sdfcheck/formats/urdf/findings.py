@@ -18,6 +18,7 @@ from sdfcheck.formats.table import Range
 from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents, urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element, Value
+from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import is_expression
 
 # The meaning of misspelled elements and attributes of URDF, among those that are missing beside them.
@@ -200,6 +201,9 @@ class UrdfFindings(Findings):
         """The elements around the unknown ones; xacro's conditions around them do not count."""
         self.places: dict[Element, Definition] = {}
         """The definitions of elements with something unknown in them, of the newest version."""
+        root = document.root
+        self.is_bodiless = document.kind is Kind.URDF and root is not None and not root.has("link")
+        """Is it a robot without links? That is one mistake, whatever its joints lack."""
 
     # Elements
 
@@ -245,6 +249,8 @@ class UrdfFindings(Findings):
         known = self.places.get(parent)
         if known and any(meant_child(child, known) == name for child in parent.children()):
             return  # it is there, misspelled
+        if self.is_bodiless and parent.name == "joint":
+            return
         if parent.name != "inertial" and name != "geometry":  # which rules look at
             self.found.append(problems.MissingElement(parent, name, None, refused=True))
 
@@ -282,6 +288,8 @@ class UrdfFindings(Findings):
         ):
             return
         if (element.name == "axis" and not _moves(element.parent)) or _is_in_color(element):
+            return
+        if self.is_bodiless and element.name == "joint" and name != "name":
             return
         self.stray.add(element)  # its text is where the value was put
         if element.name not in _ASKED_BY_RULES:

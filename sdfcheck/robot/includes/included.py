@@ -230,7 +230,7 @@ def _read(document: Document, found: Included, file: Path) -> Included:
     if other.root is None:
         return found._replace(obstacle=Obstacle.BROKEN if is_description(other) else Obstacle.FOREIGN)
     if other.root.name not in {"sdf", "robot"}:
-        return found._replace(obstacle=Obstacle.FOREIGN)
+        return found._replace(obstacle=Obstacle.BROKEN if other.kind is Kind.SDF else Obstacle.FOREIGN)
     if other.root.name == "robot" and other.source.contains("<xacro:"):
         return found._replace(obstacle=Obstacle.XACRO)
     model = included_element(other)

@@ -33,6 +33,13 @@ class Symbol(NamedTuple):
     """``link``, ``joint``, ``frame``, ``model``, ``world``, ``material``, ``macro``, ``property``, …"""
     name: str
     span: Span
+    owner: str = ""
+    """The link, or what else, in which no other of its kind has the name; empty: the robot."""
+
+    @property
+    def called(self) -> tuple[str, str]:
+        """Its kind and name, which no other part of the robot has."""
+        return f"{self.kind} in {self.owner}" if self.owner else self.kind, self.name
 
     @property
     def key(self) -> tuple[str, int]:
@@ -116,16 +123,17 @@ def robot_names(document: Document) -> Iterator[Occurrence]:
         if symbol is not None and symbol.name == node.name:
             yield Occurrence(span, symbol, False, before, after)
     yield from _materials(root)
+    yield from _in_links(root)
     yield from _vendor_names(root)
 
 
-def _defined(value: Value, kind: str) -> Iterator[Occurrence]:
+def _defined(value: Value, kind: str, owner: str = "") -> Iterator[Occurrence]:
     span = value.span
     trimmed = value.text.strip()
     start = span.start + len(span.text) - len(span.text.lstrip())
     if span.text.strip() == trimmed:
         span = span.source.span(start, start + len(trimmed))
-    yield Occurrence(span, Symbol(kind, trimmed, span), True)
+    yield Occurrence(span, Symbol(kind, trimmed, span, owner), True)
 
 
 def symbol_of(node: Node) -> Symbol | None:
@@ -163,6 +171,31 @@ def _materials(root: Root) -> Iterator[Occurrence]:
             if value is None or value.text not in symbols or part is defined[value.text]:
                 continue
             yield Occurrence(value.span, symbols[value.text])
+
+
+def _in_links(root: Root) -> Iterator[Occurrence]:
+    """Sensors and collisions of SDFormat; contact sensors name the collisions of their link."""
+    if root.is_urdf:
+        return
+    known: dict[tuple[str, Element | None, str], Symbol] = {}
+    for kind in ("collision", "sensor"):
+        for element in root.elements.get(kind, ()):
+            value = element.attribute("name")
+            if value is not None and value.text.strip():
+                occurrence = next(_defined(value, kind, _owner(element)))
+                yield occurrence
+                known.setdefault((kind, element.parent, occurrence.symbol.name), occurrence.symbol)
+    for contact in root.each("Contact"):
+        for value in contact.collision_names if contact.link is not None else ():
+            symbol = known.get(("collision", contact.link.element, value.text.strip()))
+            if symbol is not None:
+                yield Occurrence(steps(value)[0][0], symbol)
+
+
+def _owner(element: Element) -> str:
+    """The elements around one by their names."""
+    names = (each.attributes.get("name", "").strip() for each in element.around)
+    return "::".join([*filter(None, names)][::-1])
 
 
 def _vendor_values(root: Root) -> Iterator[tuple[Value, Slot, Element]]:

@@ -503,9 +503,20 @@ class _Pairing:
         opened = self.close_unwritten(token.start)
         if opened.tag is None:
             place, other = self.evidence.gap(opened, self.number)
-            self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, self.source.span(*other), opened.name)
+            self.unclosed(opened.name, place, self.source.span(*other))
         # The content that it has swallowed is in the wrong place now.
         self.doubt(opened.start, token.start if has_children else opened.end)
+
+    def unclosed(self, name: str, place: tuple[int, int], other: Span) -> None:
+        """An end tag is missing at a place; those of the elements around it, too, are the same defect."""
+        last = self.problems[-1][1] if self.problems else None
+        if isinstance(last, SyntaxDefect) and (last.kind, last.span) == (
+            SyntaxKind.UNCLOSED_ELEMENT,
+            self.source.span(*place),
+        ):
+            self.problems.pop()
+            name = f"{last.detail}></{name}"
+        self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, other, name)
 
     def mismatch(self, token: Token) -> None:
         """The end tag of the innermost element says another name; which of the two is misspelled?"""

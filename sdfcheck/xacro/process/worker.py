@@ -10,6 +10,7 @@ from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
+from sdfcheck.files.python import python_program
 from sdfcheck.source.errors import REPORT_IT, WrongUsage
 from sdfcheck.xacro.process.watch import Limits, Watch, is_needed
 
@@ -97,7 +98,18 @@ class Worker:
 
         # Names of files mean the same in both processes.
         encoding = f"utf8={sys.flags.utf8_mode}"
-        command = [sys.executable, "-I", "-S", "-W", "ignore", "-X", encoding, "-c", self._code, *_folders()]
+        command = [
+            python_program(),
+            "-I",
+            "-S",
+            "-W",
+            "ignore",
+            "-X",
+            encoding,
+            "-c",
+            self._code,
+            *_folders(),
+        ]
         self._process = subprocess.Popen(
             command,
             stdin=subprocess.PIPE,

@@ -518,8 +518,12 @@ class Definitions:
 
     def _known_path(self, include: Include, document: Document) -> Path | None:
         """Where an include leads, if that can be known."""
-        text = self._known_text(include.filename, document)
-        return document.path.parent / text if text and document.library is not None else None
+        return self.path_of(include.filename, document, document.path.parent)
+
+    def path_of(self, written: str, document: Document, folder: Path) -> Path | None:
+        """Where a path leads that is written in a file of a folder, if that can be known."""
+        text = self._known_text(written, document)
+        return folder / text if text and document.library is not None else None
 
     def _known_text(self, text: str, document: Document, of: frozenset[str] = frozenset()) -> str:
         """A text whose substitutions have one possible value each; empty if one has not, or is in ``of``."""

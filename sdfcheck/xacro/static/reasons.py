@@ -9,6 +9,8 @@ from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from sdfcheck.files.git import is_ignored
+from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import names_in
 from sdfcheck.files.uris import empty_folder
 from sdfcheck.source.document import Document, Element
@@ -85,8 +87,15 @@ def with_reason(problem: Problem, document: Document) -> Problem:
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
         reason = _of_expression(problem, visible_definitions(document)) or _of_value(problem, document)
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.FILE:
-        if folder := _empty_folder(problem, document):
-            return problem.changed(kind=Failure.SUBMODULE, detail=folder)
+        path = _path(problem, document)
+        if path is not None and (folder := empty_folder(document, path)):
+            return problem.changed(
+                kind=Failure.SUBMODULE, detail=relative_path(folder, problem.span.source.path.parent)
+            )
+        if path is not None and is_ignored(path):
+            return problem.changed(kind=Failure.IGNORED, detail=problem.detail.rpartition(": ")[0])
+        if folder := _folder_above(problem):
+            return problem.changed(kind=Failure.ABOVE, detail=folder)
         reason = _of_file(problem, document)
     else:
         return problem
@@ -263,12 +272,21 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     return _of_default(path, problem.span.text, document)
 
 
-def _empty_folder(problem: ExpansionFailure, document: Document) -> str:
-    """The folder without content that a missing file should be in, as seen from the file that names it."""
-    name, folder = problem.detail.rpartition(": ")[0], problem.span.source.path.parent
-    if "$" in name or document.library is None or not (empty := empty_folder(document, folder / name)):
+def _path(problem: ExpansionFailure, document: Document) -> Path | None:
+    """Where a missing file should be, as far as that is known."""
+    name = problem.detail.rpartition(": ")[0]
+    return visible_definitions(document).path_of(name, document, problem.span.source.path.parent)
+
+
+def _folder_above(problem: ExpansionFailure) -> str:
+    """The folder of the project above a file from which an include leads somewhere; empty if there is none."""
+    path, name = problem.span.source.path.absolute(), problem.detail.rpartition(": ")[0]
+    if "$" in name or os.path.isabs(name):
         return ""
-    return relative_path(empty, folder)
+    root = project_root(path)
+    above = (folder for folder in path.parents[1:] if folder == root or root in folder.parents)
+    found = next((folder for folder in above if os.path.isfile(folder / name)), None)
+    return "" if found is None else relative_path(found, path.parent)
 
 
 def _of_default(path: Path, written: str, document: Document) -> Reason | None:
@@ -333,14 +351,14 @@ def givers(span: Span, origins: Sequence[Step], document: Document) -> list[Give
     """The texts that give their values to the names at a place, and to the names in these values."""
     visible = visible_definitions(document)
     found: list[Giver] = []
-    waiting = [(span.text, tuple(origins))]
+    waiting = [(span.text, span, tuple(origins))]
     while waiting and len(found) < MOST:
-        text, way = waiting.pop(0)
+        text, place, way = waiting.pop(0)
         for name in _names(text):
-            giver = giver_of(name, way, visible)
+            giver = giver_of(name, place, way, visible)
             if giver is not None and all(giver[0].span != known.span for known in found):
                 found.append(giver[0])
-                waiting.append((giver[0].text, giver[1]))
+                waiting.append((giver[0].text, giver[0].span, giver[1]))
     return found[:MOST]
 
 
@@ -352,22 +370,33 @@ def _names(text: str) -> Iterator[str]:
             yield f"{_GIVEN}{match[1]})"
 
 
-def giver_of(name: str, way: tuple[Step, ...], visible: Definitions) -> tuple[Giver, tuple[Step, ...]] | None:
-    """The text that gives a name its value inside some calls, and the scope that it is evaluated in."""
+def giver_of(
+    name: str, place: Span, way: tuple[Step, ...], visible: Definitions
+) -> tuple[Giver, tuple[Step, ...]] | None:
+    """The text that gives a name its value at a place inside some calls, and the scope that it is evaluated in."""
     if name.startswith(_GIVEN):
         return _argument(name, visible)
     for depth, step in enumerate(way):
         call = _CALL.match(step.text)
         macros = visible.macros.get(call[1].rpartition(".")[2], []) if call else []
+        if len(macros) > 1:
+            macros = [each for each in macros if _holds(each.element, place)]
         if len(macros) == 1:
             given, is_of_caller = _inside(name, step, macros[0], visible)
             if given is not None:
                 return given, way[depth + is_of_caller :]
+        place = step.span
     values = [each for each in visible.given.get(name, ()) if each.macro is None and each.value is not None]
     if len(values) != 1:
         return None
     value = values[0].element.attribute("value") or values[0].element.attribute("default")
     return None if value is None else (Giver(name, value.text, value.span), ())
+
+
+def _holds(macro: Element, place: Span) -> bool:
+    """Is a place in a macro?"""
+    whole = macro.document.spans.whole(macro)
+    return whole.source.real_path == place.source.real_path and whole.start <= place.start < whole.end
 
 
 def _inside(name: str, step: Step, macro: Macro, visible: Definitions) -> tuple[Giver | None, bool]:

@@ -10,7 +10,9 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.cli.main import main
+from sdfcheck.lint.diagnostic import Severity
 
 ROBOT = '<robot name="r"><link name="a"/></robot>\n'
 
@@ -182,3 +184,27 @@ def test_deep_folders(tmp_path: Path, shown: Shown, monkeypatch: pytest.MonkeyPa
             if os.path.isdir("gone/d"):
                 os.rename("gone/d", "d")
             shutil.rmtree("gone")
+
+
+def test_ignored_files_are_on_other_computers(tmp_path: Path) -> None:
+    folder = tmp_path / "p"
+    (folder / "meshes").mkdir(parents=True)
+    (folder / "meshes" / "arm.dae").touch()
+    (folder / "package.xml").write_text("<package><name>p</name></package>")
+    (folder / ".gitignore").write_text("made/\n*.stl\n!meshes/kept.stl\n")
+    mesh = '<visual><geometry><mesh filename="package://p/{}"/></geometry></visual>'
+    meshes = "".join(map(mesh.format, ("meshes/a.stl", "meshes/b.dae", "meshes/kept.stl", "made/deep/c.dae")))
+    (folder / "arm.urdf").write_text(f'<robot name="r"><link name="a">{meshes}</link></robot>')
+    xacro = 'name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"'
+    include = '<xacro:include filename="$(find p)/made/b.urdf"/><xacro:include filename="c.urdf"/>'
+    (folder / "all.urdf.xacro").write_text(f'<robot {xacro}>{include}<link name="a"/></robot>')
+    repository(folder, "other.urdf")
+    found = [each for each in sdfcheck.lint(folder).diagnostics if each.severity is not Severity.INFO]
+    assert [(each.code, each.span.text, each.missing is not None) for each in found] == [
+        ("XAC001", "$(find p)/made/b.urdf", True),
+        ("XAC001", "c.urdf", False),
+        ("RES001", "package://p/meshes/a.stl", True),
+        ("RES001", "package://p/meshes/b.dae", False),
+        ("RES001", "package://p/meshes/kept.stl", False),
+        ("RES001", "package://p/made/deep/c.dae", True),
+    ]

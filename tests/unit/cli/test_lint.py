@@ -93,6 +93,8 @@ def test_exit_codes(shell: Shell, arguments: str, code: int) -> None:
 
 def test_a_missing_path_is_one_line(shell: Shell) -> None:
     assert shell.lint("gone.sdf").err == "error: no such file or folder: gone.sdf\n"
+    hint = "an argument of xacro is written `side:=left`"
+    assert shell.lint("side=left").err == f"error: no such file or folder: side=left; {hint}\n"
 
 
 def test_a_missing_folder_of_the_configuration_is_a_warning(shell: Shell) -> None:

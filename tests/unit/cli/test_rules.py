@@ -75,7 +75,7 @@ def test_rules_can_be_narrowed_and_read_by_machines(capsys: pytest.CaptureFixtur
     ]
 
 
-@pytest.mark.parametrize("selector", ["XYZ001", "odd-flaw", "XYZ"])
+@pytest.mark.parametrize("selector", ["XYZ001", "xyz001", "odd-flaw", "XYZ"])
 def test_a_rule_is_explained(capsys: pytest.CaptureFixture[str], selector: str) -> None:
     text = output(capsys, "rule", selector)
     assert text.startswith("# odd-flaw (XYZ001)\n\n**warning** · on by default · safe fix\n\nA flaw")

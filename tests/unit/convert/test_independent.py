@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.cli.main import main
-from sdfcheck.consumers.engines import Answer, Engine, Outcome, is_installed
-from sdfcheck.convert.independent import Judge, differences
+from sdfcheck.consumers.engines import Answer, Engine, Outcome, Question, is_installed
+from sdfcheck.convert.independent import Judge, second_opinion
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
@@ -59,42 +59,79 @@ def test_it_reads_urdf_and_xacro_that_become_sdf_and_urdf_that_sdf_becomes(
 def test_it_contradicts_a_result_that_is_another_robot() -> None:
     document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
     done = urdf_to_sdf(document, Options())
-    assert differences(done, document, [Judge.YOURDFPY]) == []
+    assert second_opinion(done, document, [Judge.YOURDFPY]) == ([], {})
     (comparison,) = done.comparisons
     turn = comparison.result.joints["turn"]
     turned = replace(turn, axes=(replace(turn.axes[0], direction=-turn.axes[0].direction),))
     joints = {**comparison.result.joints, "turn": turned}
     result = replace(comparison.result, joints=joints)
     wrong = Comparison(comparison.source, result, comparison.correspondence)
-    found = differences(
-        Conversion(done.text, done.document, comparisons=(wrong,)), document, [Judge.YOURDFPY]
-    )
-    assert {one.name for one in found} == {"arm", "hand"}
+    conversion = Conversion(done.text, done.document, comparisons=(wrong,))
+    found = second_opinion(conversion, document, [Judge.YOURDFPY])
+    assert {one.name for one in found.differences} == {"arm", "hand"}
 
 
-def answering(monkeypatch: pytest.MonkeyPatch, *answers: Answer) -> None:
-    """The consumers give these answers, one after the other."""
-    waiting = list(answers)
-    monkeypatch.setattr("sdfcheck.convert.independent.ask", lambda *_: waiting.pop(0))
+def answering(monkeypatch: pytest.MonkeyPatch, *answers: Answer) -> list[str]:
+    """The consumers give these answers, one after the other; returned are the texts that they are asked about."""
+    waiting, texts = list(answers), list[str]()
+
+    def ask(_: Engine, question: Question, __: object) -> Answer:
+        texts.append(question.path.read_text())
+        return waiting.pop(0)
+
+    monkeypatch.setattr("sdfcheck.convert.independent.ask", ask)
+    return texts
+
+
+SOUND: dict[str, object] = {"poses": [{}], "bodies": {}, "joints": {}}
+UNREADABLE = Answer(Engine.YOURDFPY, Outcome.REFUSED, error="no such thing")
 
 
 def test_a_source_that_it_cannot_read_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    answering(monkeypatch, Answer(Engine.YOURDFPY, Outcome.REFUSED, error="no such thing"))
+    answering(monkeypatch, UNREADABLE, UNREADABLE)
     urdf = tmp_path / "arm.urdf"
     urdf.write_text(ARM)
-    assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf") == 2
-    assert "--verify-with yourdfpy: it cannot read the source: no such thing" in capsys.readouterr().err
+    assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf") == 1
+    said = capsys.readouterr()
+    assert "nothing was compared: yourdfpy does not read the source: no such thing" in said.out + said.err
     assert not (tmp_path / "arm.sdf").exists()
+
+
+def test_others_go_on_where_one_cannot_read_the_source(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    fine = Answer(Engine.PINOCCHIO, Outcome.ACCEPTED, result=SOUND)
+    answering(monkeypatch, UNREADABLE, UNREADABLE, fine)
+    urdf = tmp_path / "arm.urdf"
+    urdf.write_text(ARM)
+    assert convert("urdf-to-sdf", urdf, tmp_path / "arm.sdf", "--verify-with", "pinocchio") == 0
+    expected = "also by pinocchio (yourdfpy does not read the source: no such thing)"
+    assert expected in capsys.readouterr().err
+
+
+def test_a_source_whose_shapes_cannot_be_read_is_compared_without_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fine = Answer(Engine.DRAKE, Outcome.ACCEPTED, result=SOUND)
+    texts = answering(
+        monkeypatch, Answer(Engine.DRAKE, Outcome.REFUSED, error="no such mesh"), fine, fine, fine
+    )
+    urdf = tmp_path / "arm.urdf"
+    shape = '<visual><geometry><mesh filename="a.stl"/></geometry></visual>'
+    urdf.write_text(ARM.replace("</link>", f"{shape}</link>", 1))
+    line = ["convert", "urdf-to-sdf", "--isolated", "--no-lint", str(urdf), "-o", str(tmp_path / "arm.sdf")]
+    assert main([*line, "--verify-with", "drake"]) == 0
+    assert ["visual" in text for text in texts] == [True, True, False, False]
+    assert texts[2] == ARM
 
 
 def test_a_result_that_it_alone_refuses_is_not_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    sound: dict[str, object] = {"poses": [], "bodies": {}, "joints": {}}
     crash = Answer(Engine.DRAKE, Outcome.CRASHED, error="it ended by SIGSEGV")
-    answering(monkeypatch, Answer(Engine.DRAKE, Outcome.ACCEPTED, result=sound), crash)
+    answering(monkeypatch, *[Answer(Engine.DRAKE, Outcome.ACCEPTED, result=SOUND), crash] * 2)
     urdf = tmp_path / "arm.urdf"
     urdf.write_text(ARM)
     line = ["convert", "urdf-to-sdf", "--isolated", str(urdf), "-o", str(tmp_path / "arm.sdf")]
@@ -108,7 +145,7 @@ def test_without_the_library_the_conversion_is_refused(monkeypatch: pytest.Monke
     done = urdf_to_sdf(document, Options())
     answering(monkeypatch, Answer(Engine.PYBULLET, Outcome.MISSING, error=Engine.PYBULLET.advice))
     with pytest.raises(WrongUsage, match=r"not installed: pip install 'sdfcheck\[pybullet\]'"):
-        differences(done, document, [Judge.PYBULLET])
+        second_opinion(done, document, [Judge.PYBULLET])
 
 
 def test_names_of_consumers_are_checked(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -124,7 +161,7 @@ def test_each_consumer_agrees_with_a_conversion(judge: Judge) -> None:
     if not is_installed(judge.engine):
         pytest.skip(f"not installed: {judge.engine.advice}")
     document = read(ARM.encode(), Path("arm.urdf"), Kind.URDF)
-    assert differences(urdf_to_sdf(document, Options()), document, [judge]) == []
+    assert second_opinion(urdf_to_sdf(document, Options()), document, [judge]) == ([], {})
     heavier = read(ARM.replace('mass value="1"', 'mass value="2"').encode(), Path("arm.urdf"), Kind.URDF)
     done = urdf_to_sdf(heavier, Options())
     other = urdf_to_sdf(document, Options())
@@ -132,4 +169,4 @@ def test_each_consumer_agrees_with_a_conversion(judge: Judge) -> None:
         Comparison(one.source, two.result, one.correspondence)
         for one, two in zip(done.comparisons, other.comparisons, strict=True)
     ))  # fmt: skip
-    assert {one.what for one in differences(mixed, heavier, [judge])} == {"mass"}
+    assert {one.what for one in second_opinion(mixed, heavier, [judge]).differences} == {"mass"}

@@ -95,6 +95,24 @@ def test_shapes_that_are_not_read() -> None:
     assert len([loss for loss in done.losses if loss.kind is LossKind.UNSUPPORTED_GEOMETRY]) == 2
 
 
+@pytest.mark.parametrize(
+    "first", [BODY(1).replace(' iyz="0"', ""), BODY(1) + BOX("", "<material/>")], ids=["moments", "material"]
+)
+def test_a_link_is_read_up_to_what_urdfdom_cannot_read(first: str) -> None:
+    done = built(link("base", first + BALL + BOX("", "")))
+    assert "<collision" not in done.text
+    assert "<visual" not in done.text
+
+
+def test_settings_reach_the_shapes_whose_names_begin_with_that_of_the_link() -> None:
+    own, other = (BALL.replace(">", f' name="{name}">', 1) for name in ("arm_tip", "tip"))
+    block = '<gazebo reference="arm"><mu1>0.2</mu1></gazebo>'
+    done = built(link("arm", BODY(1) + own + other) + block)
+    assert done.text.count("<mu>0.2</mu>") == 1
+    assert done.text.index("arm_tip") < done.text.index("<mu>") < done.text.index("lump__tip")
+    assert "<mu>" not in built(link("arm", BODY(1) + other) + block).text
+
+
 def test_colors_are_brighter() -> None:
     color = '<material name="m"><color rgba="0.4 0.9 0 0.5"/></material>'
     done = built(color + link("base", BODY(1) + BOX("", '<material name="m"/>')))

@@ -185,7 +185,7 @@ def test_xacro_names_have_scopes() -> None:
     assert outer == ["3:size", "7:size"]
     assert places(ROBOT, "size:=1", 1, "there/m.xacro") == ["4:size", "5:size", "7:size"]
     ended = ROBOT.replace('2}"/>', '2}"></xacro:ball>')
-    assert places(ended, '"ball"', 2, "there/m.xacro") == ["4:ball", "7:ball", "7:ball"]
+    assert places(ended, '"ball"', 2, "there/m.xacro") == ["4:ball", "7:xacro:ball", "7:xacro:ball"]
     assert places(ROBOT, '"side"', 2, "there/m.xacro") == ["2:side", "7:side"]
 
 

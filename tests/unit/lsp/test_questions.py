@@ -131,6 +131,85 @@ def test_each_character_of_a_name_with_an_expression(editor: Editor, tmp_path: P
     assert editor.answers.prepared(buffer, types.PrepareRenameParams(**place)) is not None
 
 
+def test_sensors_and_collisions_have_a_name_in_each_link(editor: Editor, tmp_path: Path) -> None:
+    link = (
+        '<link name="{}"><collision name="c"/><sensor name="s" type="contact"><contact><collision>c</collision>'
+        "</contact></sensor></link>"
+    )
+    body = f'<model name="m">{link.format("a")}{link.format("b")}</model></sdf>'
+    for name, head in (("m.sdf", "<sdf>"), ("m.sdf.xacro", '<sdf xmlns:xacro="http://ros.org/wiki/xacro">')):
+        path = tmp_path / name
+        path.write_text(head + body)
+        assert renamed(editor, path, ">c<", 1, "shell") == {name: ["shell", "shell"]}
+        assert renamed(editor, path, 'name="s"', 6, "touch") == {name: ["touch"]}
+    sensors = body.replace("</sensor>", '</sensor><sensor name="t" type="imu"/>', 1)
+    path.with_suffix(".sdf").write_text(f"<sdf>{sensors}")
+    refusal = renamed(editor, path.with_suffix(".sdf"), 'name="s"', 6, "t")
+    assert refusal == "there is a sensor `t` already in m.sdf.sdf"
+
+
+@pytest.mark.parametrize(
+    ("part", "mark", "line"),
+    [
+        ('<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"/>', "y.arm", 2),
+        ('<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"/>', "prefix", 2),
+        ('<xacro:include filename="arm.xacro"/><xacro:call macro="arm" prefix="a"/>', "prefix", 2),
+        ('<xacro:arm prefix="a"/>', "arm", 2),
+        ('<xacro:macro name="m" params=""><link name="l" mass="${heavy}"/></xacro:macro>', "heavy", 1),
+        (
+            (
+                '<xacro:macro name="in" params=""><link name="${own}"/></xacro:macro>\n'
+                '<xacro:macro name="out" params="own"><xacro:in/></xacro:macro>'
+            ),
+            "own",
+            2,
+        ),
+        ('<xacro:macro name="m" params="up"><link name="${up}"/></xacro:macro>', "{up}", 1),
+        ('<xacro:macro name="m" params="\r\n  up\r\n  a"><link name="${up}"/></xacro:macro>', "up}", 2),
+        (
+            (
+                '<xacro:macro name="m" params="p"><gazebo><plugin name="g"><frameName>${p}tip</frameName>'
+                "</plugin></gazebo></xacro:macro>"
+            ),
+            "tip<",
+            4,
+        ),
+    ],
+    ids="namespace,parameter there,call,nobody's,nobody's property,caller's,around,CRLF,includer's".split(
+        ","
+    ),
+)
+def test_names_that_are_defined_elsewhere(
+    editor: Editor, tmp_path: Path, part: str, mark: str, line: int
+) -> None:
+    include = '<xacro:include filename="part.xacro"/>' if "plugin" in part else ""
+    arm = ARM.replace("prefix}", "p}") if include else ARM
+    path = written(tmp_path, arm=f'<xacro:property name="heavy" value="9"/>{include}\n{arm}', part=part)
+    buffer = editor.open(path, path.read_bytes().decode())
+    place = editor.place(buffer, buffer.source.text.index(mark))
+    found = editor.answers.definition(buffer, types.DefinitionParams(**place))
+    assert isinstance(found, types.Location)
+    assert found.range.start.line == line
+
+
+def test_a_name_that_no_robot_shows_is_kept(editor: Editor, tmp_path: Path) -> None:
+    block = '<xacro:macro name="b" params="prefix"><gazebo reference="${prefix}tip"/></xacro:macro>'
+    written(tmp_path, arm=f'{ARM}<xacro:include filename="block.xacro"/>')
+    path = written(tmp_path, block=block)
+    assert renamed(editor, path, "tip", 1, "end") == "no robot is known that has link `${prefix}tip`"
+    assert renamed(editor, tmp_path / "arm.xacro", "tip", 1, "end") == {
+        "arm.xacro": ["${prefix}end"] * 2,
+        "block.xacro": ["${prefix}end"],
+    }
+
+
+def test_renaming_a_macro_in_a_namespace(editor: Editor, tmp_path: Path) -> None:
+    call = '<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"></xacro:my.arm>'
+    written(tmp_path, arm=ARM, robot=call)
+    after = renamed(editor, tmp_path / "arm.xacro", '"arm"', 1, "limb")
+    assert after == {"arm.xacro": ["limb"], "robot.xacro": ["xacro:my.limb"] * 2}
+
+
 @pytest.mark.parametrize("file", ["arm", "control"])
 def test_renaming_reaches_files_beside_one_another(editor: Editor, tmp_path: Path, file: str) -> None:
     written(tmp_path, arm=ARM, control=CONTROL, robot=ROBOT)
@@ -143,6 +222,15 @@ def test_renaming_where_a_name_is_written_out(editor: Editor, tmp_path: Path) ->
     assert renamed(editor, path, '"l_tip"', 2, "l_hand") == {
         "arm.xacro": ["${prefix}hand", "${prefix}hand", "l_hand"]
     }
+
+
+def test_renaming_through_macros_of_one_name(editor: Editor, tmp_path: Path) -> None:
+    block = '<xacro:macro name="block" params="of"><gazebo reference="${of}"/></xacro:macro>'
+    part = '<xacro:macro name="{0}" params="p">{1}<link name="${{p}}{0}"/><xacro:block of="${{p}}{0}"/></xacro:macro>'
+    robot = '<xacro:include filename="a.xacro"/><xacro:include filename="b.xacro"/><xacro:a p="x"/><xacro:b p="y"/>'
+    written(tmp_path, b=part.format("b", block), robot=robot)
+    path = written(tmp_path, a=part.format("a", block))
+    assert renamed(editor, path, 'name="${p}a"', 10, "tip") == {"a.xacro": ["${p}tip"] * 2}
 
 
 def test_renaming_both_of_two_branches(editor: Editor, tmp_path: Path) -> None:

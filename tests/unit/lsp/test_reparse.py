@@ -145,6 +145,48 @@ def test_a_glance_finds_a_name_of_another_model(tmp_path: Path) -> None:
         assert "m7" in shown.text
 
 
+ROBOT = (
+    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="imu" default="false"/>'
+    '<link name="base"/><xacro:if value="$(arg imu)"><joint name="j" type="fixed"><parent link="base"/>'
+    '<child link="imu"/></joint></xacro:if><material name="m"/></robot>'
+)
+
+
+def test_typing_in_a_robot_with_arguments_leaves_no_rest(tmp_path: Path) -> None:
+    path, findings = tmp_path / "r.urdf.xacro", Findings(Workspace())
+    buffer = findings.workspace.open(path.as_uri(), path, ROBOT, 1)
+    counts = []
+    for number in range(18):
+        findings.workspace.write(buffer, Source(path, ROBOT + " " * (number % 4)), number)
+        assert findings.glance(buffer)
+        buffer.tidy()
+        if number % 6 == 5:
+            gc.collect()
+            counts.append(len(gc.get_objects()))
+    findings.workspace.close()
+    assert counts[-1] - counts[0] < 50, counts
+
+
+def test_other_arguments_of_a_robot_are_looked_at_when_its_text_rests(tmp_path: Path) -> None:
+    path = tmp_path / "r.urdf.xacro"
+    text = ROBOT
+    findings = Findings(Workspace())
+    buffer = findings.workspace.open(path.as_uri(), path, text, 1)
+    assert findings.glance(buffer)
+    assert not [found for found in looked(path, "", findings) if "imu:=true" in str(found[1])]
+    for number, (old, new) in enumerate((("<mat", " <mat"), ("<xacro:if", " <xacro:if"))):
+        text = text.replace(old, new)
+        findings.workspace.write(buffer, Source(path, text), number)
+        assert findings.glance(buffer)
+        soon = looked(path, "", findings)
+        assert findings.glance(buffer)
+        findings.lint(buffer)
+        assert looked(path, "", findings) == looked(path, text)
+        assert (soon == looked(path, text)) == bool(number)  # what is known already stays where it is
+        assert not findings.glance(buffer)
+    findings.workspace.close()
+
+
 @pytest.mark.parametrize(
     ("old", "new", "ends"),
     [

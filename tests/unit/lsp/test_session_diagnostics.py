@@ -66,6 +66,22 @@ async def test_old_names_are_struck_through(session: Session, folder: Path) -> N
     assert text.cut(found.range) == "gps"
 
 
+async def test_other_arguments_bring_diagnostics_when_the_text_rests(session: Session, folder: Path) -> None:
+    text = session.open(
+        folder / "r.urdf.xacro",
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="imu" default="false"/>'
+        '<link name="base"/><xacro:if value="$(arg imu)"><joint name="j" type="fixed"><parent link="base"/>'
+        '<child link="imu"/></joint></xacro:if></robot>',
+    )
+
+    def said(found: list[types.Diagnostic]) -> list[str]:
+        return [each.message.split("`")[3] for each in found if "(with `imu:=true`)" in each.message]
+
+    await text.diagnostics(lambda found: said(found) == ["j"])
+    text.change('"j"', '"k"')
+    await text.diagnostics(lambda found: said(found) == ["k"])
+
+
 async def test_typing_brings_new_diagnostics(session: Session, folder: Path) -> None:
     text = session.open(folder / "m.sdf", MODEL)
     (first,) = await text.diagnostics()

@@ -125,6 +125,14 @@ def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path
     settings = f"a:\n  urdf:\n    package: q\n    relative_path: arm.urdf.xacro\n    {given}\n"
     (package / ".setup_assistant").write_text(settings)
     assert found(package, wrong) == [("SRD001", "hnd")]
+    other = f"{settings}\n  SRDF:\n    relative_path: config/{{}}.srdf\n"
+    (package / ".setup_assistant").write_text(other.format("arm"))
+    assert found(package, wrong) == [("SRD001", "hnd")]
+    (package / ".setup_assistant").write_text(other.format("leg"))
+    assert found(package, wrong) == [("SRD001", "hnd")]
+    (package / "config").mkdir()
+    (package / "config" / "leg.srdf").touch()
+    assert found(package, wrong) == []
 
 
 def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:

@@ -72,6 +72,20 @@ def test_foreign_folders_are_not_entered(tree: Path) -> None:
     assert names(tree, [tree / ".venv"]) == [".venv/x.sdf"]
 
 
+def test_tests_of_faulty_files_are_left_out(tree: Path) -> None:
+    plant(
+        tree,
+        "test/bad.sdf",
+        "tests/data/no_name_error.urdf",
+        "test/invalid/a.sdf",
+        "test/badge.sdf",
+        "bad.sdf",
+    )
+    assert names(tree) == ["bad.sdf", "test/badge.sdf"]
+    assert names(tree, [tree / "test"]) == ["test/bad.sdf", "test/badge.sdf", "test/invalid/a.sdf"]
+    assert names(tree, [tree / "test" / "bad.sdf"]) == ["test/bad.sdf"]
+
+
 def test_ignored_folder_is_walked_when_named(tree: Path) -> None:
     plant(tree, "a.sdf", "out/b.sdf", "out/c.tmp.sdf", "out/d.sdf")
     (tree / ".gitignore").write_text("out\n")

@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 
+from sdfcheck.files.python import python_program
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
@@ -739,6 +740,19 @@ def test_backports_of_the_standard_library_are_not_imported(
     monkeypatch.setattr(worker, "_folders", lambda: [str(tmp_path), *folders])
     with Expander() as expander:
         assert ground.expand(expander, "<a/>").text is not None
+
+
+def test_an_application_that_embeds_python_finds_a_program(
+    ground: Ground, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(sys, "executable", "")
+    with Expander() as expander:
+        assert ground.expand(expander, "<a/>").text is not None
+    for prefix in ("exec_prefix", "base_exec_prefix"):
+        monkeypatch.setattr(sys, prefix, str(tmp_path))
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(WrongUsage, match=r"set `sys\.executable`"):
+        python_program()
 
 
 def old_xacro(folder: Path, version: str) -> Path:

@@ -41,11 +41,20 @@ def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found
         ('<xacro:include filename="parts/*.xacro"/><link name="a"/>', [("XAC001", "warning")]),
         ('<xacro:include filename="parts/*.xacro" optional="true"/><link name="a"/>', []),
         ('<xacro:include filename="parts/a.xacro"/><link name="a"/>', [("XAC001", "error")]),
+        ('<xacro:include filename="/etc/no/such/a.xacro"/><link name="a"/>', [("XAC001", "warning")]),
         ('<link name="$(env NOT_SET_HERE)"/>', [("XAC001", "warning")]),
     ],
 )
 def test_it_is_an_error_only_if_xacro_stops(folder: Path, content: str, expected: Found) -> None:
     assert found(folder, content) == expected
+
+
+def test_a_path_from_another_folder_is_for_another_program(folder: Path) -> None:
+    (folder / "urdf").mkdir()
+    (folder / "urdf" / "part.xacro").write_text(PART.format(""))
+    text = '<xacro:include filename="urdf/{}.xacro"/><link name="a"/>'
+    assert found(folder, text.format("part"), "urdf/robot.urdf.xacro") == [("XAC001", "warning")]
+    assert found(folder, text.format("prat"), "urdf/robot.urdf.xacro") == [("XAC001", "error")]
 
 
 @pytest.mark.parametrize(
