@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -146,6 +145,8 @@ class Shelves:
         """Write what is new; where that cannot be, the next run measures again."""
         if not self._fresh:
             return
+        import json
+
         from sdfcheck.files.overwrite import overwrite
 
         for place, (most, fresh) in self._fresh.items():
@@ -181,6 +182,8 @@ def digest_of(text: str) -> str:
 
 
 def _kept(place: str) -> dict[str, list[Any]]:
+    import json
+
     try:
         shelf = json.loads(read_regular(Path(place), _LARGEST_SHELF))
         rows = shelf["rows"] if shelf["edition"] == _EDITION else {}
