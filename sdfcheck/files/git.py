@@ -217,7 +217,7 @@ def is_ignored(path: str | os.PathLike[str]) -> bool:
 
 
 def ignores_in(folder: str, _: object = None) -> Ignores | None:
-    """What decides about the files in a folder, which may not be there; None where it is ignored itself."""
+    """The patterns for the files in a folder, which may not be there; None where it is ignored itself."""
     absolute = Path(os.path.abspath(folder))
     root = work_tree(absolute)
     if root is None:

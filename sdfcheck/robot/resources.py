@@ -101,7 +101,6 @@ class FileUse(Part):
     def is_ignored(self) -> bool:
         """Does git ignore the file where it is looked for first: does a build make it, or a download bring it?"""
         from sdfcheck.files.git import ignores_in
-
         from sdfcheck.files.library import library_of
 
         library = library_of(self.document)
