@@ -6,6 +6,7 @@ import asyncio
 import inspect
 import json
 import os
+import time
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -147,9 +148,9 @@ Report = types.WorkspaceFullDocumentDiagnosticReport | types.WorkspaceUnchangedD
 _PAUSE, _PATIENCE = 2.0, 30
 """A request for the diagnostics of files that are not open waits so many pauses, in s, for news."""
 
-_STEP, _STEPS = 0.01, 20
-"""After a glance the whole text, or robot with all arguments, is looked at when it has been still for so many steps,
-in s.
+_STEP, _REST = 0.01, 0.2
+"""A text rests when it has been still for so long, in s, as is seen step by step: then all of it is looked at, or the
+robot with all arguments. Before a look at a change that takes long a part of that is waited for: answers would wait.
 """
 
 
@@ -238,6 +239,8 @@ class Server(LanguageServer):
         self.open: dict[str, str] = {}
         """Open URI → key of the text."""
         self._edits: dict[str, int] = {}
+        self._took: dict[str, float] = {}
+        """Key of a text → how long the last look at a change took, in s."""
         self._published: dict[str, list[types.Diagnostic]] = {}
         self._pulled: dict[str, tuple[int | None, list[types.Diagnostic]]] = {}
         """Open URI → how often its text had changed when the client asked last, and the answer."""
@@ -325,6 +328,7 @@ class Server(LanguageServer):
         if key is None or key in self.open.values():
             return  # never opened, or open by another address
         self._edits.pop(key, None)
+        self._took.pop(key, None)
         self._pulled.pop(uri, None)
         self.lints.drop(key)
         path = path_of(uri)
@@ -370,18 +374,32 @@ class Server(LanguageServer):
             buffer = self.robots.buffers.get(key)
             return None if buffer is None else look(buffer)
 
-        if await self.work(lambda: job(self.findings.glance), None, LINT):
+        if not await self._is_still(key, min(self._took.get(key, 0.0) / 2, _REST)):
+            return
+        begun = time.monotonic()
+        is_glance = await self.work(lambda: job(self.findings.glance), None, LINT)
+        if not is_glance:
+            await self.work(lambda: job(self.findings.lint), None, LINT)
+        self._took[key] = time.monotonic() - begun
+        if is_glance:
             await self._update_client()
-            for _ in range(_STEPS):
-                await asyncio.sleep(_STEP)
-                if self._edits.get(key) != number:
-                    return
-        await self.work(lambda: job(self.findings.lint), None, LINT)
+            if not await self._is_still(key, _REST):
+                return
+            await self.work(lambda: job(self.findings.lint), None, LINT)
         if self._edits.get(key) == number:  # else another run follows, and this one is stale
             await self._update_client()
             self._follow(key)
             await self._survey(key)
             await self.work(lambda: self._prime(key, number), None, SURVEY)
+
+    async def _is_still(self, key: str, seconds: float) -> bool:
+        """Wait a while; does a text stay as it is?"""
+        number = self._edits.get(key)
+        for _ in range(int(seconds / _STEP)):
+            await asyncio.sleep(_STEP)
+            if self._edits.get(key) != number:
+                return False
+        return True
 
     def _prime(self, key: str, number: int | None) -> None:
         """Compute, while no request waits, the views that requests about a text need, and drop the others."""

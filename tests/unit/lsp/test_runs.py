@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 import threading
+import time
 import weakref
 from pathlib import Path
 
@@ -61,6 +62,33 @@ async def test_a_message_that_was_handled_is_forgotten() -> None:
         if not server.protocol._request_futures:
             break
     assert not server.protocol._request_futures
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_a_text_that_takes_long_is_looked_at_when_nobody_types(monkeypatch: pytest.MonkeyPatch) -> None:
+    server, looks = make_server(), 0
+
+    def glance(_: object) -> bool:
+        nonlocal looks
+        looks += 1
+        time.sleep(0.5)
+        return True
+
+    monkeypatch.setattr(server.findings, "glance", glance)
+    await server.opened(
+        types.DidOpenTextDocumentParams(types.TextDocumentItem("file:///r.urdf", "urdf", 1, "<robot/>"))
+    )
+    await asyncio.sleep(1)
+    assert looks == 1
+    for version in range(2, 10):
+        change = types.TextDocumentContentChangeWholeDocument(f"<robot/>{' ' * version}")
+        text = types.VersionedTextDocumentIdentifier(version, "file:///r.urdf")
+        await server.changed(types.DidChangeTextDocumentParams(text, [change]))
+        await asyncio.sleep(0.03)
+    assert looks == 1
+    await asyncio.sleep(1)
+    assert looks == 2
+    server.ended()
 
 
 @pytest.mark.asyncio(loop_scope="function")

@@ -130,6 +130,7 @@ async def test_an_included_file_is_linted_for_its_includer(session: Session, fol
 
 async def test_macros_are_linted_for_their_robots(session: Session, folder: Path) -> None:
     (folder / "r.urdf.xacro").write_text(ROBOT)
+    session.notice(folder / "r.urdf.xacro", types.FileChangeType.Created)
     text = session.open(folder / "macros.xacro", MACROS)
     await text.diagnostics(lambda found: not found)
     text.change('<link name="a"/>', '<link name="a"/><link name="a"/>')
