@@ -13,6 +13,10 @@ Point: TypeAlias = tuple[float, ...]
 """x, y, z (m)."""
 
 
+_HALVINGS = 40
+"""Enough for the place on a line that is nearest."""
+
+
 class Box(NamedTuple):
     """The lowest and the highest x, y, z (m)."""
 
@@ -55,6 +59,19 @@ class Box(NamedTuple):
         low, high = (other.low, other.high) if isinstance(other, Box) else (other, other)
         ends = zip(self.low, self.high, low, high, strict=True)
         return math.hypot(*(max(0.0, first - top, bottom - last) for bottom, top, first, last in ends))
+
+    def distance_to_line(self, direction: Point) -> float:
+        """How far a line through the origin, in a direction of length 1, passes from it."""
+        reach = math.hypot(*(max(-low, high) for low, high in zip(self.low, self.high, strict=True)))
+
+        def at(place: float) -> float:
+            return self.distance_to((direction[0] * place, direction[1] * place, direction[2] * place))
+
+        first, last = -reach, reach
+        for _ in range(_HALVINGS):  # the distance falls to its least value, and rises from there
+            one, other = first + (last - first) / 3, last - (last - first) / 3
+            first, last = (first, other) if at(one) < at(other) else (one, last)
+        return at((first + last) / 2)
 
 
 def around(boxes: Iterable[Box | None]) -> Box | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from sdfcheck.formats import history, problems
 from sdfcheck.formats.findings import (
     Findings,
@@ -136,6 +138,11 @@ class SdfFindings(Findings):
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.missing_children: list[tuple[Element, Definition, str]] = []
         self.uses_too_new: dict[tuple[str, str, Version], list[Element]] = {}
+        defects = (problem for problem in document.problems if isinstance(problem, SyntaxDefect))
+        self.unclosed = min(
+            (one.span.start for one in defects if one.kind is SyntaxKind.UNCLOSED_ELEMENT), default=math.inf
+        )
+        """Where the first end tag is missing: elements after it may be where they are only for that."""
 
     def root(self, root: Element, definition: Definition) -> None:
         """The root's attributes; its version decides against what everything else is checked."""
@@ -161,7 +168,7 @@ class SdfFindings(Findings):
             return
         if (parent.name, name) == ("link", "contact") and _is_of_pybullet(child):
             return
-        if self._follows_unclosed(child):
+        if child.span.start >= self.unclosed:
             return
         suggestion = suggest(name, place.children)
         if places := history.known_parents(name, self.version):
@@ -171,15 +178,6 @@ class SdfFindings(Findings):
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
-
-    def _follows_unclosed(self, child: Element) -> bool:
-        """Is an element in one that may have got it only because another before it lacks its end tag?"""
-        return any(
-            isinstance(problem, SyntaxDefect)
-            and problem.kind is SyntaxKind.UNCLOSED_ELEMENT
-            and problem.span.start <= child.span.start
-            for problem in self.document.problems
-        )
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)

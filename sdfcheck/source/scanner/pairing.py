@@ -329,6 +329,8 @@ class _Pairing:
         # With the number of the token that they were found at, to go back after it.
         # The problems that a repair has found stay (-1).
         self.problems: list[tuple[int, Problem]] = []
+        self.joined = 0
+        """The defects that are part of another one."""
         self.doubtful: list[tuple[int, tuple[int, int]]] = []
         self.number = 0
         """Of the token that is looked at."""
@@ -509,12 +511,13 @@ class _Pairing:
 
     def unclosed(self, name: str, place: tuple[int, int], other: Span) -> None:
         """An end tag is missing at a place; those of the elements around it, too, are the same defect."""
-        last = self.problems[-1][1] if self.problems else None
+        last = self.problems[-1][1] if self.problems and not self.has_enough_problems else None
         if isinstance(last, SyntaxDefect) and (last.kind, last.span) == (
             SyntaxKind.UNCLOSED_ELEMENT,
             self.source.span(*place),
         ):
             self.problems.pop()
+            self.joined += 1
             name = f"{last.detail}></{name}"
         self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, other, name)
 
@@ -580,6 +583,10 @@ class _Pairing:
     def note(self, problem: Problem) -> None:
         self.problems.append((self.number, problem))
 
+    @property
+    def has_enough_problems(self) -> bool:
+        return len(self.problems) + self.joined >= DEFECT_LIMIT
+
     def doubt(self, start: int, end: int) -> None:
         self.doubtful.append((self.number, (start, end)))
 
@@ -590,7 +597,7 @@ class _Pairing:
     def defect(
         self, kind: SyntaxKind, place: tuple[int, int], other: Span | None = None, detail: str = ""
     ) -> None:
-        if len(self.problems) < DEFECT_LIMIT:
+        if not self.has_enough_problems:
             self.note(SyntaxDefect(self.source.span(*place), kind, other, detail))
         else:
             self.evidence.budget = 0
