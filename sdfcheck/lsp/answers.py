@@ -21,7 +21,7 @@ from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.hints import hints, tokens
 from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import LARGEST, definitions, occurrences, project_files, references
-from sdfcheck.lsp.outline import Maker, Outlined, Part, folds, links, outline, target_of
+from sdfcheck.lsp.outline import Maker, Mover, Outlined, Part, folds, links, outline, target_of
 from sdfcheck.lsp.rename import Refused, Target, rename, target
 from sdfcheck.lsp.speech import NAME, ProtocolTypes, Units, Written, place_of, plain
 from sdfcheck.lsp.workspace import Buffer, Workspace
@@ -121,6 +121,8 @@ _SYMBOLS = {
     "light": types.SymbolKind.Event,
 }
 _OTHER = types.SymbolKind.Property
+_LINE = re.compile(r'(?<!\\)"line":(\d+)')
+"""The number of a line in what is written of a symbol, whose strings have no quotation mark without a backslash."""
 _Row = tuple[str, str, tuple[int, int], str]
 """A part in an outline without steps: its kind, its name, where that is, and the part around it."""
 
@@ -218,7 +220,7 @@ class Answers:
         if self.speech.is_able("text_document", "document_symbol", "hierarchical_document_symbol_support"):
             before = self._outlined.get(buffer.uri)
             if before is None or before.source is not source:
-                before = outline(source, self._written_symbol(source), before)
+                before = outline(source, self._written_symbol(source), before, self._moved_symbol(source))
                 self._outlined = {buffer.uri: before}
             return Written(f"[{','.join(before.parts)}]")
         return [
@@ -268,6 +270,25 @@ class Answers:
             return f'{{{own},{places},"children":[{",".join(parts)}]}}' if parts else f"{{{own},{places}}}"
 
         return written
+
+    def _moved_symbol(self, source: Source) -> Mover[str] | None:
+        """Writes a part of an outline again for an equal text on other lines; None where columns may differ."""
+        if self.speech.units is not Units.UTF32 and not source.text.isascii():
+            return None
+        starts = source.line_starts
+        forms: dict[str, tuple[str, list[int]]] = {}
+
+        def moved(written: str, first: int, start: int) -> str | None:
+            here, there = bisect_right(starts, first) - 1, bisect_right(starts, start) - 1
+            if first - starts[here] != start - starts[there]:
+                return None
+            if written not in forms:
+                form = _LINE.sub('"line":%d', written.replace("%", "%%"))
+                forms[written] = form, [int(line) - here for line in _LINE.findall(written)]
+            form, lines = forms[written]
+            return form % tuple([line + there for line in lines])
+
+        return moved
 
     def folds(self, buffer: Buffer, _: Any) -> Written:
         kinds = {True: ',"kind":"comment"', False: ""}

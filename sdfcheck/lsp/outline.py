@@ -54,6 +54,7 @@ _OTHERS = {"xacro:include": "filename", "gazebo": "reference"}
 """The attribute that holds the name, where it is another one."""
 _UNITS = frozenset({"model", "link", "joint", "xacro:macro"})
 """The elements whose part of an outline is kept while an edit elsewhere leaves their text as it is."""
+_LINK_END = "</link>"
 _TYPED = frozenset({"joint", "sensor", "light"})
 _BROUGHT = re.compile(r"<(name|uri)>\s*([^<]*?)\s*</\1>")
 
@@ -67,6 +68,8 @@ starts and ends, and what was made of its own parts.
 """
 Maker = Callable[[Part[T], int], T]
 """Makes something of a part and where it ends."""
+Mover = Callable[[T, int, int], "T | None"]
+"""Makes of what was made of a part the same for an equal text: where the one and the other start; None: it cannot."""
 
 
 class Outlined(NamedTuple, Generic[T]):
@@ -80,13 +83,16 @@ class Outlined(NamedTuple, Generic[T]):
     units: dict[int, tuple[int, T]]
 
 
-def outline(source: Source, made: Maker[T], before: Outlined[T] | None = None) -> Outlined[T]:
+def outline(
+    source: Source, made: Maker[T], before: Outlined[T] | None = None, moved: Mover[T] | None = None
+) -> Outlined[T]:
     """The named parts of a text, as a tree; found by their tags alone, broken or not.
 
-    Parts that the text ``before`` has, too, are taken from its outline.
+    Parts that the text ``before`` has, too, are taken from its outline, and links that are written as an earlier one
+    from that, where they can be ``moved``.
     """
     known = {} if before is None else _unchanged(before, source)
-    outliner = _Outliner(source.text, made, known)
+    outliner = _Outliner(source.text, made, known, moved)
     outliner.read()
     return Outlined(source, outliner.top, outliner.units)
 
@@ -94,9 +100,14 @@ def outline(source: Source, made: Maker[T], before: Outlined[T] | None = None) -
 class _Outliner(Generic[T]):
     """Reads a text for its outline, but for the units that are known."""
 
-    def __init__(self, text: str, made: Maker[T], known: Mapping[int, tuple[int, T]]) -> None:
+    def __init__(
+        self, text: str, made: Maker[T], known: Mapping[int, tuple[int, T]], moved: Mover[T] | None
+    ) -> None:
         self.text = text
         self.made = made
+        self.moved = moved
+        self.links: dict[str, tuple[int, T]] = {}
+        """The texts of links, where the first of each starts, and what was made of it."""
         self.known = known
         self.units = {**known}
         self.top: list[T] = []
@@ -108,7 +119,7 @@ class _Outliner(Generic[T]):
         """Where a comment begins that may end one day, and then hold what is after its beginning."""
 
     def read(self) -> None:
-        text, stack, known = self.text, self._stack, self.known
+        text, stack = self.text, self._stack
         search = _TAGS[_MATERIAL.search(text) is not None].finditer
         tags = search(text)
         while (tag := next(tags, None)) is not None:
@@ -119,12 +130,10 @@ class _Outliner(Generic[T]):
                     self._end(tag[4], tag.start(), tag.end())
                 case 3:
                     start, at = tag.span()
-                    if start in known:
-                        at, found = known[start]
-                        (stack[-1][6] if stack else self.top).append(found)
-                        tags = search(text, at)
-                        continue
                     kind, name, inside, _ = tag.groups()
+                    if kind in _UNITS and (known := self._take_known(kind, start)):
+                        tags = search(text, known)
+                        continue
                     detail, place = kind, tag.span(2)
                     if name is None or kind in _OTHERS:
                         name, place = _labelled(kind, text, start, at - 1)
@@ -135,6 +144,20 @@ class _Outliner(Generic[T]):
                         self._close(at, is_whole=True)
         while stack:
             self._close(len(text), is_whole=False)
+
+    def _take_known(self, kind: str, start: int) -> int:
+        """Take a unit that is known, or written as an earlier link; returns where it ends, 0 for another one."""
+        end, found = self.known.get(start) or (0, None)
+        if found is None and kind == "link" and self.moved is not None:
+            end = self.text.find(_LINK_END, start) + len(_LINK_END)
+            first, made = self.links.get(self.text[start:end], (0, None))
+            if made is not None and self._stray < start and end <= self._sure:
+                found = self.moved(made, first, start)
+        if found is None:
+            return 0
+        self.units[start] = end, found
+        (self._stack[-1][6] if self._stack else self.top).append(found)
+        return end
 
     def _end(self, kind: str, start: int, end: int) -> None:
         """Take the end tag of an element that is not the innermost: it ends those in it, too."""
@@ -157,6 +180,8 @@ class _Outliner(Generic[T]):
         found = self.made(part, end)
         if kind in _UNITS and is_whole and self._stray < start and end <= self._sure:
             self.units[start] = end, found
+            if kind == "link" and self.moved is not None:
+                self.links.setdefault(self.text[start:end], (start, found))
         (self._stack[-1][6] if self._stack else self.top).append(found)
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from lsprotocol import types
 from lsprotocol.converters import get_converter
 
-from sdfcheck.lsp.answers import survey
+from sdfcheck.lsp.answers import Answers, survey
 from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.context import Item
 from sdfcheck.lsp.edits import Edits
@@ -19,7 +21,7 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import everywhere, occurrences
 from sdfcheck.lsp.outline import Part, links, outline
 from sdfcheck.lsp.rename import Refused, Target, rename
-from sdfcheck.lsp.speech import ProtocolTypes
+from sdfcheck.lsp.speech import ProtocolTypes, Units
 from sdfcheck.lsp.workspace import Workspace
 from sdfcheck.source.document import Document
 from sdfcheck.source.text import Source
@@ -227,6 +229,26 @@ def test_an_outline_that_follows_edits_is_that_of_the_text(seed: int) -> None:
         source = Source(Path("w.sdf"), text)
         known = outline(source, made, known)
         assert known.parts == outline(source, made).parts
+
+
+@pytest.mark.parametrize("units", list(Units))
+@pytest.mark.parametrize("name", ["a", "100%d", "&quot;line&quot;:7", "é"])
+def test_links_that_are_written_as_earlier_ones_are_outlined_like_them(name: str, units: Units) -> None:
+    answers = Answers.__new__(Answers)
+    answers.speech = cast("Any", SimpleNamespace(units=units))
+    link = f'<link name="{name}">\n <visual name="v"/>\n</link>\n'
+    model = f'<model name="m">\n  {link}{link}</model>\n'
+    chance = random.Random(7)
+    pieces = ("\n", "<", "x", "</link>", "<!--", "-->", '<link name="l">', " ", "")
+    text = f'<sdf version="1.12">\n{model * 5}</sdf>'
+    for _ in range(60):
+        source = Source(Path("w.sdf"), text)
+        made, moved = answers._written_symbol(source), answers._moved_symbol(source)
+        assert (moved is None) == (not text.isascii() and units is not Units.UTF32)
+        plain, repeated = outline(source, made), outline(source, made, None, moved)
+        assert (repeated.parts, repeated.units) == (plain.parts, plain.units)
+        at = chance.randrange(len(text))
+        text = text[:at] + chance.choice(pieces) + text[at + chance.randrange(3) :]
 
 
 def shown(part: Part[str], _: int) -> str:
