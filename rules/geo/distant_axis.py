@@ -2,12 +2,16 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Joint, Rule, Severity
 from sdfcheck_rules.geo.detached_link import is_measured
+from sdfcheck_rules.geo.scaffolds import wedge
 
 LEAST = 0.02
 """m: smaller shapes only mark a link."""
 TIMES = 1.5
 """Of the length of the part: of 2,763 joints in 545 public robots none turns a part that is farther than 0.8 times."""
-BALL = '<collision><origin xyz="0 0 {}"/><geometry><sphere radius="0.05"/></geometry></collision>'
+SCHEMATIC = 10.0
+"""The same in a robot without meshes, where the bob of a pendulum may be drawn without its rod."""
+SPHERE = 'sphere radius="0.05"'
+BALL = '<collision><origin xyz="0 0 {}"/><geometry><{}/></geometry></collision>'
 WHEEL = (
     f'<link name="wheel">{BALL}</link><joint name="j" type="{{}}">{{}}<parent link="base"/><child link="wheel"/>'
     '<axis xyz="0 1 0"/><limit effort="1" velocity="1"/></joint>'
@@ -19,7 +23,8 @@ class DistantAxis(Rule):
 
     The axis goes through the origin of the joint, which is that of the child link, and the shapes of the child are
     farther from it than one and a half times their length: the part swings through the air like a stone on a string.
-    Looked at are robots in URDF, and links all of whose shapes have a known size.
+    In a robot without meshes it has to be ten times, for pendulums are drawn so. Looked at are robots in URDF, and
+    links all of whose shapes have a known size.
     """
 
     code = "GEO020"
@@ -36,13 +41,23 @@ class DistantAxis(Rule):
 
     bad = (
         Bad(
-            WHEEL.format("0.6", "continuous", '<origin xyz="«0 0.1 -0.6»"/>'),
-            says="the axis of joint `j` passes 0.55 m from link `wheel`, which is 0.1 m long",
+            WHEEL.format("1.6", SPHERE, "continuous", '<origin xyz="«0 0.1 -1.6»"/>'),
+            says="the axis of joint `j` passes 1.55 m from link `wheel`, which is 0.1 m long",
+        ),
+        Bad(
+            WHEEL.format("0.6", 'mesh filename="part.obj"', "continuous", '<origin xyz="«0 0.1 -0.6»"/>'),
+            files={"part.obj": wedge(0.1)},
+            says="passes 0.6 m from link `wheel`",
         ),
     )
     good = (
-        Good(WHEEL.format("0.1", "continuous", ""), why="a crank"),
-        Good(WHEEL.format("0.6", "prismatic", ""), why="a slide may be anywhere beside its axis"),
+        Good(WHEEL.format("0.6", SPHERE, "continuous", ""), why="a pendulum without its rod"),
+        Good(
+            WHEEL.format("0.1", 'mesh filename="part.obj"', "continuous", ""),
+            files={"part.obj": wedge(0.1)},
+            why="a crank",
+        ),
+        Good(WHEEL.format("1.6", SPHERE, "prismatic", ""), why="a slide may be anywhere beside its axis"),
     )
 
     @staticmethod
@@ -71,7 +86,7 @@ def gap(joint: Joint) -> float:
     box, norm = link.fixed_extent, joint.axis.length
     if box is None or max(box.size) < LEAST or not norm > 0:
         return 0.0
-    bound = TIMES * max(box.size)
+    bound = (TIMES if link.model.has_mesh else SCHEMATIC) * max(box.size)
     if box.distance_to((0.0, 0.0, 0.0)) <= bound:
         return 0.0
     distance = box.distance_to_line((axis[0] / norm, axis[1] / norm, axis[2] / norm))
