@@ -21,6 +21,7 @@ from sdfcheck.convert.comparison import Difference
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.mechanism import Joint, Mechanism, degrees_of_freedom, link_poses, with_followers
 from sdfcheck.robot.motion.poses import Array, angle_between, inverse
+from sdfcheck.source.document import Spans
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -133,8 +134,9 @@ def _text(document: Document) -> str:
 
 def _text_without_shapes(document: Document) -> str:
     """The text of a document without the visuals and collisions of links."""
+    here = Spans(document.source, document.scan)  # where people wrote it may be another text
     shapes = (
-        document.spans.whole(each)
+        here.whole(each)
         for each in document.elements
         if each.name in {"visual", "collision"} and each.parent is not None and each.parent.name == "link"
     )

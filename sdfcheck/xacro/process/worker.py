@@ -27,25 +27,19 @@ _METADATA = re.compile(r"xacro-(\d+(?:\.\d+)*)[^/]*\.(?:dist|egg)-info$", re.IGN
 
 
 def python_program() -> str:
-    """The path of the running interpreter's program, or of another Python where an application embeds the interpreter.
+    """The program of the running Python, which an application that embeds it may not name; none is looked for on PATH.
 
     Raises:
-        WrongUsage: neither is found.
+        WrongUsage: it is not found.
     """
-    if sys.executable:
-        return sys.executable
-    from shutil import which
-
     name = "python.exe" if os.name == "nt" else os.path.join("bin", "python3")
-    for prefix in (sys.exec_prefix, sys.base_exec_prefix):
-        if os.access(program := os.path.join(prefix, name), os.X_OK):
+    for program in (
+        sys.executable,
+        *(os.path.join(each, name) for each in (sys.exec_prefix, sys.base_exec_prefix)),
+    ):
+        if program and os.access(program, os.X_OK):
             return program
-    program = which("python3") or which("python") or ""
-    if not program:
-        raise WrongUsage(
-            "the application that runs sdfcheck does not say where Python is: set `sys.executable`"
-        )
-    return program
+    raise WrongUsage("the application that runs sdfcheck does not say where Python is: set `sys.executable`")
 
 
 class Worker:

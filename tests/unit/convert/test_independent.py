@@ -9,13 +9,14 @@ import pytest
 
 from sdfcheck.cli.main import main
 from sdfcheck.consumers.engines import Answer, Engine, Outcome, Question, is_installed
-from sdfcheck.convert.independent import Judge, second_opinion
+from sdfcheck.convert.independent import Judge, _text_without_shapes, second_opinion
 from sdfcheck.convert.result import Comparison, Conversion
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import Options
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
+from sdfcheck.xacro.expansion import Expander
 
 pytest.importorskip("yourdfpy")
 
@@ -125,6 +126,20 @@ def test_a_source_whose_shapes_cannot_be_read_is_compared_without_them(
     assert main([*line, "--verify-with", "drake"]) == 0
     assert ["visual" in text for text in texts] == [True, True, False, False]
     assert texts[2] == ARM
+
+
+def test_the_shapes_of_an_expanded_robot_are_left_out_of_what_xacro_wrote(tmp_path: Path) -> None:
+    path = tmp_path / "r.urdf.xacro"
+    macro = (
+        '<xacro:macro name="m" params="n"><link name="${n}"><visual><geometry/></visual></link></xacro:macro>'
+    )
+    text = f'<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro">{macro}<xacro:m n="a"/><xacro:m n="b"/></robot>'
+    with Expander() as expander:
+        document = expander.expand(read(text.encode(), path, Kind.XACRO)).document
+    assert document is not None
+    left = read(_text_without_shapes(document).encode(), path, Kind.URDF)
+    assert [each.name for each in left.elements] == ["robot", "link", "link"]
+    assert not left.problems
 
 
 def test_a_result_that_it_alone_refuses_is_not_written(

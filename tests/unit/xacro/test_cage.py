@@ -750,7 +750,6 @@ def test_an_application_that_embeds_python_finds_a_program(
         assert ground.expand(expander, "<a/>").text is not None
     for prefix in ("exec_prefix", "base_exec_prefix"):
         monkeypatch.setattr(sys, prefix, str(tmp_path))
-    monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(WrongUsage, match=r"set `sys\.executable`"):
         python_program()
 
