@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Joint, Rule, Severity
-from sdfcheck_rules.geo.detached_link import is_measured
+from sdfcheck_rules.geo.detached_link import detached, is_measured
 from sdfcheck_rules.geo.scaffolds import wedge
 
 LEAST = 0.02
@@ -22,7 +22,7 @@ class DistantAxis(Rule):
     """A joint turns its part about an axis that passes far from the part.
 
     The axis goes through the origin of the joint, which is that of the child link, and the shapes of the child are
-    farther from it than one and a half times their length: the part swings through the air like a stone on a string.
+    farther from it than one and a half times their length, so that the part moves on a circle around nothing.
     In a robot without meshes it has to be ten times, for pendulums are drawn so. Looked at are robots in URDF, and
     links all of whose shapes have a known size.
     """
@@ -57,12 +57,20 @@ class DistantAxis(Rule):
             files={"part.obj": wedge(0.1)},
             why="a crank",
         ),
+        Good(
+            f'<link name="cap">{BALL.format("0", SPHERE)}</link><joint name="k" type="fixed"><parent link="base"/>'
+            '<child link="cap"/></joint>' + WHEEL.format("0.9", 'mesh filename="part.obj"', "continuous", ""),
+            files={"part.obj": wedge(0.1)},
+            why="detached-link says that it is far from all others",
+        ),
         Good(WHEEL.format("1.6", SPHERE, "prismatic", ""), why="a slide may be anywhere beside its axis"),
     )
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return joint.type in {"continuous", "revolute"} and gap(joint) > 0
+        if joint.type not in {"continuous", "revolute"} or joint.model is None or not gap(joint) > 0:
+            return False
+        return all(found is not joint for found, *_ in detached(joint.model))  # of which another rule speaks
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         link = joint.child_link
