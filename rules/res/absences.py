@@ -22,26 +22,27 @@ class Absences:
         """Folders without content, as those of submodules that are not checked out → resources."""
         self.ignored: dict[str, list[Resource]] = {}
         """Folders of what git ignores → resources."""
+        known: dict[tuple[str, str], list[Resource]] = {}
         for resource in missing:
-            self._take(resource)
+            named = resource.uri, resource.what
+            if named not in known:
+                known[named] = self._with(resource, named)
+            known[named].append(resource)
 
-    def _take(self, resource: Resource) -> None:
+    def _with(self, resource: Resource, named: tuple[str, str]) -> list[Resource]:
+        """Those that lack the same as a resource."""
         location = resource.location
         if location is not None and location.is_searched_for and location.owner is None:
-            self.owners.setdefault((location.scheme, location.name), []).append(resource)
-            return
+            return self.owners.setdefault((location.scheme, location.name), [])
         if empty := resource.empty_folder:
-            self.submodules.setdefault(empty, []).append(resource)
-            return
+            return self.submodules.setdefault(empty, [])
         path = expected(resource)
         if resource.is_ignored and path is not None:
-            self.ignored.setdefault(os.path.dirname(path), []).append(resource)
-            return
+            return self.ignored.setdefault(os.path.dirname(path), [])
         folder = None if path is None else os.path.dirname(path) or os.curdir
         if folder is None or (folder not in self.folders and os.path.isdir(folder)):
-            self.files.setdefault((resource.uri, resource.what), []).append(resource)
-        else:
-            self.folders.setdefault(folder, []).append(resource)
+            return self.files.setdefault(named, [])
+        return self.folders.setdefault(folder, [])
 
 
 def reactions(uses: Sequence[Resource], missing: Reaction) -> dict[Consumer, Reaction]:

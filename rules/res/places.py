@@ -37,8 +37,8 @@ def expected(resource: Resource) -> str | None:
     if location is None:
         return None
     if location.owner is None:
-        return next(iter(location.tried), None)
-    first = location.tried[0]
+        return location.first or None
+    first = location.first
     return first if first.startswith(f"{os.path.normpath(location.owner)}{os.sep}") else None
 
 

@@ -48,6 +48,11 @@ class Location(NamedTuple):
         return tuple(dict.fromkeys(paths))
 
     @property
+    def first(self) -> str:
+        """The first of the paths that were looked at; empty if none was."""
+        return os.path.normpath(os.path.join(self.folders[0], self.inside)) if self.folders else ""
+
+    @property
     def is_remote(self) -> bool:
         return self.scheme in REMOTE_SCHEMES
 
@@ -85,12 +90,17 @@ def empty_folder(document: Document, path: str | os.PathLike[str]) -> str:
 
     The folder of the document itself may be empty: its text may not be saved yet.
     """
-    folder, own = os.path.dirname(os.path.abspath(path)), os.path.abspath(document.path)
+    folder = document.view(_surroundings).disk.view(os.path.dirname(os.path.abspath(path)), _empty_from)
+    return "" if not folder or is_below(os.path.abspath(document.path), (folder,)) else folder
+
+
+def _empty_from(folder: str, _: Disk) -> str:
+    """The first folder that is there from this one upwards, if it holds nothing."""
     while not os.path.isdir(folder):
         folder, below = os.path.dirname(folder), folder
         if folder == below:
             return ""
-    return "" if names_in(folder) or is_below(own, (folder,)) else folder
+    return "" if names_in(folder) else folder
 
 
 _MEDIA = ("media", "Media")

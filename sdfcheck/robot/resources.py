@@ -94,8 +94,8 @@ class FileUse(Part):
         """The folder without content in which it is looked for first, as of a submodule that is not checked out."""
         from sdfcheck.files.uris import empty_folder
 
-        tried = () if self.location is None else self.location.tried
-        return empty_folder(self.document, tried[0]) if tried else ""
+        first = "" if self.location is None else self.location.first
+        return empty_folder(self.document, first) if first else ""
 
     @property
     def is_ignored(self) -> bool:
@@ -104,9 +104,9 @@ class FileUse(Part):
         from sdfcheck.files.library import library_of
 
         library = library_of(self.document)
-        if self.location is None or library is None or not self.location.tried:
+        if self.location is None or library is None or not self.location.folders:
             return False
-        path = self.location.tried[0]
+        path = self.location.first
         ignores = library.disk.view(os.path.dirname(os.path.abspath(path)), ignores_in)
         return ignores is None or ignores.ignore(Path(path), folder=False)
 
