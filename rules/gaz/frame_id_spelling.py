@@ -4,6 +4,7 @@ from sdfcheck import Bad, Diagnostic, Element, Good, Root, Rule, Severity, renam
 
 STANDARD = "frame_id"
 CURRENT = "gz_frame_id"
+IGNITION = "ignition_frame_id"
 STANDARD_SINCE = (1, 12)
 
 SENSOR = (
@@ -21,8 +22,9 @@ class FrameIdSpelling(Rule):
     """The frame id of a sensor has a name of another version.
 
     The specification has `frame_id` from version 1.12 on. Before, Gazebo Garden and later
-    read `gz_frame_id`, of which libsdformat warns and for which Drake refuses the file; Ignition
-    read `ignition_frame_id`. Without it messages carry a scoped name that no transform tree knows.
+    read `gz_frame_id`, of which libsdformat warns and for which Drake refuses the file; Ignition up to Fortress
+    read `ignition_frame_id`, and Harmonic reads it no longer. Without it messages carry a scoped name that no
+    transform tree knows.
     """
 
     code = "GAZ007"
@@ -31,7 +33,7 @@ class FrameIdSpelling(Rule):
     remedy = """Rename it as the version of the file spells it: `gz_frame_id`, and `frame_id` from SDFormat 1.12 on.
 
     The value is the link of the robot that tf2 knows, such as `laser_link`, without a slash. For Drake,
-    which refuses `gz_frame_id`, declare version 1.12 and write `frame_id`.
+    which refuses `gz_frame_id`, declare version 1.12 and write `frame_id`. Keep `ignition_frame_id` for Fortress.
     """
     looks_at = (Root,)
     scaffold = SENSOR
@@ -54,6 +56,7 @@ class FrameIdSpelling(Rule):
         Bad(
             "<«ignition_frame_id»>base</ignition_frame_id>",
             fixed="<gz_frame_id>base</gz_frame_id>",
+            unsafe=True,
             scaffold=ROBOT,
         ),
     )
@@ -78,7 +81,9 @@ class FrameIdSpelling(Rule):
             message = f"`{name}`{times} is now called `{instead}`"
             if instead == STANDARD:
                 message = f"`{name}`{times} is `{instead}` in SDFormat {version}"
-            yield self.diagnostic(elements[0], message, fix=rename(instead, *elements, unsafe=False))
+            # Fortress reads the old name alone.
+            fix = rename(instead, *elements, unsafe=name == IGNITION)
+            yield self.diagnostic(elements[0], message, fix=fix)
 
 
 def fitting(root: Root) -> str:
@@ -90,7 +95,7 @@ def misnamed(root: Root) -> dict[str, list[Element]]:
     """Name → the frame ids that have it; in SDF files any other name than the standard one."""
     found: dict[str, list[Element]] = {}
     for sensor in root.each("Sensor"):
-        for name in (CURRENT, "ignition_frame_id"):
+        for name in (CURRENT, IGNITION):
             if not root.is_urdf or name != CURRENT:
                 for element in sensor.children(name):
                     found.setdefault(name, []).append(element)

@@ -4,6 +4,7 @@ from sdfcheck import (
     IN_MODEL,
     IN_ROBOT,
     Bad,
+    Consumer,
     Diagnostic,
     Element,
     Good,
@@ -14,7 +15,9 @@ from sdfcheck import (
     Span,
     TextEdit,
     Value,
+    ignores,
     make_fix,
+    warns,
 )
 from sdfcheck_rules.gaz.ignition import new_class, new_file
 
@@ -23,6 +26,8 @@ NEW_PREFIX = "gz:"
 GUI = "ignition-gui"
 NEW_GUI = "gz-gui"
 SYSTEM = "ignition-gazebo"
+LOADED = ("ignition-gazebo-", "gz-sim", "libgz-sim")
+"""How the file of a plugin begins that is found, whatever its class is called."""
 NAMESPACE = "ignition::"
 
 OLD, NEW = "http://ignitionrobotics.org/schema", "http://gazebosim.org/schema"
@@ -31,8 +36,9 @@ OLD, NEW = "http://ignitionrobotics.org/schema", "http://gazebosim.org/schema"
 class IgnitionName(Rule):
     """A plugin, element or prefix is called after Ignition, as Gazebo was up to Fortress.
 
-    Gazebo Garden still took the old names, with a warning; later releases do not find the
-    plugins and ignore the elements. Fortress takes the new names of plugins as well.
+    Gazebo Garden still took the old names, with a warning. From Harmonic on the elements are ignored, from Ionic
+    on files that begin with `libignition-` are not found; `ignition-gazebo-…` and classes are still taken, which
+    is a hint. Fortress takes the new names of plugins as well, but not those of elements.
     """
 
     code = "GAZ001"
@@ -40,8 +46,8 @@ class IgnitionName(Rule):
     severity = Severity.WARNING
     remedy = """Rename it as Gazebo calls it since Garden: `ignition` is `gz` there.
 
-    The library of a system is `gz-sim-…-system`, its class `gz::sim::systems::…`. Keep the old name only if
-    the file has to run in Ignition Citadel or Edifice; Fortress takes the new names of plugins.
+    The library of a system is `gz-sim-…-system`, its class `gz::sim::systems::…`. Keep the old name of a
+    plugin only if the file has to run in Ignition Citadel or Edifice, that of an element also for Fortress.
     """
     looks_at = (Plugin, Root)
     scaffold = IN_MODEL
@@ -68,12 +74,14 @@ class IgnitionName(Rule):
             '<plugin filename="MinimalScene" name="3D View"><«ignition-gui»><title>3D View</title>'
             "</ignition-gui></plugin>",
             fixed='<plugin filename="MinimalScene" name="3D View"><gz-gui><title>3D View</title></gz-gui></plugin>',
+            unsafe=True,
         ),
         Bad(
             f'<sdf version="1.9" xmlns:ignition="{OLD}"><model name="m"><link name="l">'
             "<«ignition»:note>a</ignition:note><ignition:note/></link></model></sdf>",
             fixed=f'<sdf version="1.9" xmlns:gz="{NEW}"><model name="m"><link name="l">'
             "<gz:note>a</gz:note><gz:note/></link></model></sdf>",
+            unsafe=True,
             says="`ignition` is now called `gz`",
             scaffold="{}",
         ),
@@ -82,6 +90,7 @@ class IgnitionName(Rule):
             '<link name="l" «ignition»:kind="a"/></model></sdf>',
             fixed=f'<sdf version="1.9" xmlns:gz="{NEW}"><model name="m" gz:a="1">'
             '<link name="l" gz:kind="a"/></model></sdf>',
+            unsafe=True,
             scaffold="{}",
         ),
     )
@@ -112,21 +121,31 @@ class IgnitionName(Rule):
             uses = [TextEdit(span, NEW_PREFIX + span.text[len(PREFIX) :]) for span in _prefixed(part)]
             first = uses[0].span
             place = first.source.span(first.start, first.start + len(PREFIX) - 1)
-            yield self._report(place, PREFIX[:-1], NEW_PREFIX[:-1], [*uses, *_declarations(part)])
+            yield self._unread(place, PREFIX[:-1], NEW_PREFIX[:-1], [*uses, *_declarations(part)])
             return
         if changes := _changes(part):
-            (value, new), *_ = changes
-            yield self._report(
-                value.span, value.text, new, [TextEdit(old.span, name) for old, name in changes]
-            )
+            yield self._of_plugin(changes, is_loaded=part.filename.startswith(LOADED))
         for element in part.children(GUI):
-            yield self._report(
+            yield self._unread(
                 element.span, GUI, NEW_GUI, [TextEdit(span, NEW_GUI) for span in _names(element)]
             )
 
-    def _report(self, place: Span, old: str, new: str, edits: list[TextEdit]) -> Diagnostic:
-        fix = make_fix(f"rename it to `{new}`", tuple(dict.fromkeys(edits)))
-        return self.diagnostic(place, f"`{old}` is now called `{new}`", fix=fix)
+    def _of_plugin(self, changes: list[tuple[Value, str]], *, is_loaded: bool) -> Diagnostic:
+        value, new = changes[0]
+        return self.diagnostic(
+            value,
+            f"`{value.text}` is now called `{new}`",
+            fix=make_fix(f"rename it to `{new}`", tuple(TextEdit(old.span, name) for old, name in changes)),
+            severity=Severity.INFO if is_loaded else None,
+            affects={Consumer.GAZEBO: warns("takes it, with a warning")} if is_loaded else None,
+        )
+
+    def _unread(self, place: Span, old: str, new: str, edits: list[TextEdit]) -> Diagnostic:
+        fix = make_fix(f"rename it to `{new}`", tuple(dict.fromkeys(edits)), unsafe=True)
+        reaction = ignores("it, from Harmonic on")
+        return self.diagnostic(
+            place, f"`{old}` is now called `{new}`", fix=fix, affects={Consumer.GAZEBO: reaction}
+        )
 
 
 def is_of_ignition(plugin: Plugin) -> bool:

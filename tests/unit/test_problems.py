@@ -391,7 +391,7 @@ PROBLEMS = {
     "a plugin has its name of Fortress": Problem(
         "GAZ001",
         '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n@@\n</world>\n</sdf>\n',
-        '<plugin filename="ignition-gazebo-physics-system" name="ignition::gazebo::systems::Physics"/>',
+        '<plugin filename="libignition-gazebo-physics-system.so" name="ignition::gazebo::systems::Physics"/>',
         '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
         suffix=".sdf",
     ),
