@@ -7,13 +7,14 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
+    Name,
     Root,
     Rule,
     Severity,
     accepts,
     refuses,
 )
-from sdfcheck_rules.nam.taken import is_free
+from sdfcheck_rules.nam.taken import is_free, is_reserved
 
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 ASIDE = {
@@ -76,18 +77,20 @@ class ClashingName(Rule):
             scaffold="",
             why="libsdformat drops a floating joint, so its name is free",
         ),
+        Good(
+            '<robot name="r"><link name="world"/><link name="a"/><joint name="world" type="fixed">'
+            '<parent link="world"/><child link="a"/></joint></robot>',
+            scaffold="",
+            why="reserved-name owns this one",
+        ),
     )
 
     @staticmethod
     def applies(root: Root) -> bool:
-        return any(
-            first.kind != later.kind and not is_free(first, later, root) for first, later in root.names.shared
-        )
+        return any(True for _ in clashes(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
-        for first, later in root.names.shared:
-            if first.kind == later.kind or is_free(first, later, root):
-                continue
+        for first, later in clashes(root):
             is_custom = ":" in first.kind or ":" in later.kind
             makes_frame = (first.makes_frame or later.makes_frame) and not is_custom
             # A merged include comes from a time in which nothing is renamed.
@@ -105,3 +108,10 @@ class ClashingName(Rule):
                 severity=None if makes_frame and not is_renamed else Severity.WARNING,
                 affects=affects,
             )
+
+
+def clashes(root: Root) -> Iterator[tuple[Name, Name]]:
+    """Names of two kinds of things, each with the earlier one that it clashes with."""
+    for first, later in root.names.shared:
+        if first.kind != later.kind and not is_free(first, later, root) and not is_reserved(later, root):
+            yield first, later

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Name, Root, Rule, Severity
+from sdfcheck import IN_LINK, IN_MODEL, Bad, Diagnostic, Good, Root, Rule, Severity
+from sdfcheck_rules.nam.taken import is_reserved
 
 _ROOT = "__root__"
 _REFUSED = frozenset({"custom_rpy", "placement_frame"})
@@ -53,21 +54,14 @@ class ReservedName(Rule):
     @staticmethod
     def applies(root: Root) -> bool:
         is_referred_to = _ROOT in root.document.source.text
-        return is_referred_to or any(_is_reserved(name, root) for name in root.names.special)
+        return is_referred_to or any(is_reserved(name, root) for name in root.names.special)
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for name in root.names.special:
-            if _is_reserved(name, root):
+            if is_reserved(name, root):
                 known = "reserved are `world` and names that begin and end with two underscores"
                 yield self.diagnostic(name.value, f"the name `{name.name}` is reserved", help=known)
         if _ROOT in root.document.source.text:
             for value in root.names.references:
                 if value.text.strip() == _ROOT and value.element.name in _REFUSED:
                     yield self.diagnostic(value, f"`{_ROOT}` cannot be referred to")
-
-
-def _is_reserved(name: Name, root: Root) -> bool:
-    text = name.name
-    is_word = text == "world" and not (root.is_urdf and name.kind == "link")  # many robots begin with it
-    is_framed = len(text) >= 4 and text.startswith("__") and text.endswith("__")
-    return (is_word or is_framed) and name.is_compared
