@@ -14,9 +14,10 @@ ROS_DRIVE = (
     '<gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">'
     "<leftJoint>{}</leftJoint></plugin></gazebo>"
 )
+LIFT = '<plugin name="gz::sim::systems::LiftDrag" filename="gz-sim-lift-drag-system"><link_name>{}</link_name></plugin>'
 MERGED = (
     '<link name="fin"/><joint name="j" type="fixed"><parent link="base"/><child link="fin"/></joint><gazebo>'
-    '<plugin name="gz::sim::systems::LiftDrag" filename="gz-sim-lift-drag-system">{}</plugin></gazebo>'
+    f"{LIFT}</gazebo>"
 )
 
 
@@ -24,9 +25,10 @@ class UnknownPluginReference(Rule):
     """A parameter of a plugin names a joint or link that its model does not have.
 
     The plugin finds nothing: it reports an error and switches itself off, or waits for ever
-    in silence. Systems look among the joints and links of the model that they are in. Of a URDF
-    robot libsdformat merges fixed joints away with the links that hang on them, so that a plugin does not find those
-    either; only in `bodyName` and `frameName` it writes the link that is left.
+    in silence. Systems look among the joints and links of the model that they are in, most by plain names: they
+    compare all of `model::joint` with the name of each, and find none. Of a URDF robot libsdformat merges fixed
+    joints away with the links that hang on them, so that a plugin does not find those either; only in `bodyName`
+    and `frameName` it writes the link that is left.
     """
 
     code = "RES014"
@@ -57,7 +59,7 @@ class UnknownPluginReference(Rule):
             says="joint `wheel` is fixed, and libsdformat merges it away",
         ),
         Bad(
-            MERGED.format("<link_name>«fin»</link_name>"),
+            MERGED.format("«fin»"),
             scaffold=IN_ROBOT,
             says="link `fin` is merged into link `base`, and a plugin does not find it",
         ),
@@ -67,15 +69,25 @@ class UnknownPluginReference(Rule):
             unsafe=True,
             says="`linkName` of plugin `p` names link `bass`, which is not in model `m`; did you mean `base`?",
         ),
+        Bad(
+            WHEEL + DRIVE.format("«m::wheel»"),
+            fixed=WHEEL + DRIVE.format("wheel"),
+            unsafe=True,
+            says="does not split `left_joint` at `::`, and finds no joint of this name; did you mean `wheel`?",
+        ),
+        Bad(
+            WHEEL + DRIVE.format("«arm::wheel»") + '<model name="arm"><link name="l"/></model>',
+            says="does not split `left_joint` at `::`",
+        ),
     )
     good = (
         Good(WHEEL + DRIVE.format("wheel")),
         Good(
-            WHEEL + DRIVE.format("arm::wheel") + "<include><uri>model://not_here</uri></include>",
+            f"{LIFT.format('arm::wing')}<include><uri>model://not_here</uri></include>",
             why="an include that could not be read may have it",
         ),
         Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
-        Good(MERGED.format("<link_name>base</link_name>"), scaffold=IN_ROBOT),
+        Good(MERGED.format("base"), scaffold=IN_ROBOT),
         Good(
             '<plugin name="mud" filename="libMud.so"><link_name>atlas::foot</link_name></plugin>',
             why="a plugin that is not known may look for it in another model",
@@ -84,7 +96,7 @@ class UnknownPluginReference(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return bool(plugin.unresolved or any(merged(plugin)))
+        return bool(plugin.unresolved or plugin.scoped or any(merged(plugin)))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for value, link, left in merged(plugin):
@@ -92,6 +104,7 @@ class UnknownPluginReference(Rule):
             joint = link.parent_joints[0]
             advice = f"write `{left.name}`, or keep joint `{joint.name}` with `<preserveFixedJoint>`"
             yield self.diagnostic(value, message, labels={joint: "merged away"}, help=advice)
+        yield from self._scoped(plugin)
         for value, kind, model, node in plugin.unresolved:
             name = value.text.strip()
             parameter = value.attribute or value.element.name
@@ -106,6 +119,16 @@ class UnknownPluginReference(Rule):
             else:
                 meant = model.guess(name, kind=kind).meant
             yield self.diagnostic(value, message, meant=meant, help=instead)
+
+    def _scoped(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for value, kind, model, node in plugin.scoped:
+            parameter, plain = value.attribute or value.element.name, value.text.strip().rpartition("::")[2]
+            message = f"{plugin.title} does not split `{parameter}` at `::`, and finds no {kind} of this name"
+            own = node is not None and node.kind == kind and node.holder is model
+            advice = None if own else f"put the plugin into the model that has {kind} `{plain}`"
+            yield self.diagnostic(
+                value, message, meant=plain if own else None, help=advice, severity=Severity.WARNING
+            )
 
 
 def merged(plugin: Plugin) -> Iterator[tuple[Value, Link, Link]]:

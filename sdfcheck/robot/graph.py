@@ -1805,6 +1805,20 @@ class Plugin(Part):
         return tuple(reference for reference in self.references if reference.is_unresolved)
 
     @property
+    def scoped(self) -> tuple[PluginReference, ...]:
+        """The parameters that name something with ``::``, of a system of gz-sim that compares plain names alone."""
+        facts, model = self.known, _model(self)
+        if facts is None or facts.generation != "gz-sim" or model is None:
+            return ()
+        return tuple(
+            PluginReference(value, naming.kind, model, model.resolve(name.removeprefix(f"{model.name}::")))
+            for naming in facts.namings
+            if not naming.is_scoped
+            for value in _written(self.element, naming)
+            if "::" in (name := value.text.strip()) and not _TEMPLATE.search(name)
+        )
+
+    @property
     def siblings(self) -> tuple[Plugin, ...]:
         """The plugins beside it, itself included; those of all blocks about the robot in URDF."""
         if self.holder is None:
