@@ -91,6 +91,10 @@ class AsymmetricJoint(Rule):
             scaffold=ROBOT.replace('<link name="base"/>', BODY),
             why="the frame of the body is not in its middle, where the joints are",
         ),
+        Good(
+            JOINT.format("left", "0.7 0.8 0.6") + JOINT.format("right", "0.7 0.7 0.55"),
+            why="the frame is far from both, and may be turned",
+        ),
         Good(JOINT.format("left", "0.1 0.2 0") + JOINT.format("third", "0 0 0"), why="no counterpart"),
     )
 
@@ -132,6 +136,7 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
         and displacement(joint, mirror) > 0
         and not is_mirrored(joint, mirror)
         and not is_slid(joint, mirror)
+        and not is_aside(joint, mirror)
     ]
     planes = [plane(*pair) for pair in found]
     found = [
@@ -182,6 +187,12 @@ def displacement(joint: Joint, mirror: Joint) -> float:
 def is_mirrored(joint: Joint, mirror: Joint) -> bool:
     """Are they mirror images in the robot, whatever their parents make of that?"""
     return any(hypot(*offset) <= LEAST for offset in offsets(joint, mirror))
+
+
+def is_aside(joint: Joint, mirror: Joint) -> bool:
+    """Do both hang on one link, on one side of each plane of its frame?"""
+    own, other = origin_of(joint), origin_of(mirror)
+    return joint.parent_link is mirror.parent_link and all(a * b > 0 for a, b in zip(own, other, strict=True))
 
 
 def plane(joint: Joint, mirror: Joint) -> tuple[Link, int, float] | None:
