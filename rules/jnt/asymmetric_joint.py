@@ -1,7 +1,7 @@
 from collections.abc import Iterator, Sequence
 from math import dist, hypot
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Model, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 
 LEAST, SHARE = 0.005, 0.05
 """m, and of the distance: joints that are made by hand differ by less."""
@@ -19,6 +19,10 @@ ARM = JOINT + (
     '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
 )
 ROBOT = '<robot name="r"><link name="base"/><link name="left_wheel"/><link name="right_wheel"/>{}</robot>'
+BODY = (
+    '<link name="base"><visual><origin xyz="0 0.025 0"/><geometry><box size="0.3 0.3 0.1"/></geometry></visual>'
+    "</link>"
+)
 
 
 def fingers(*origins: str) -> str:
@@ -82,6 +86,15 @@ class AsymmetricJoint(Rule):
             scaffold=ROBOT.replace("{}", "{}<link name='left_hand'/><link name='right_hand'/>"),
             why="the origin is elsewhere on the axis, and the next joint takes that back",
         ),
+        Good(
+            JOINT.format("left", "0.1 0.2 0") + JOINT.format("right", "0.1 -0.15 0"),
+            scaffold=ROBOT.replace('<link name="base"/>', BODY),
+            why="the frame of the body is not in its middle, where the joints are",
+        ),
+        Good(
+            JOINT.format("left", "0.7 0.8 0.6") + JOINT.format("right", "0.7 0.7 0.55"),
+            why="the frame is far from both, and may be turned",
+        ),
         Good(JOINT.format("left", "0.1 0.2 0") + JOINT.format("third", "0 0 0"), why="no counterpart"),
     )
 
@@ -123,6 +136,14 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
         and displacement(joint, mirror) > 0
         and not is_mirrored(joint, mirror)
         and not is_slid(joint, mirror)
+        and not is_aside(joint, mirror)
+    ]
+    planes = [plane(*pair) for pair in found]
+    found = [
+        pair
+        for pair, own in zip(found, planes, strict=True)
+        if own is None
+        or not is_middle(own, [each for each in planes if each is not None and each is not own])
     ]
     return found if len(found) <= MOST else []
 
@@ -166,6 +187,33 @@ def displacement(joint: Joint, mirror: Joint) -> float:
 def is_mirrored(joint: Joint, mirror: Joint) -> bool:
     """Are they mirror images in the robot, whatever their parents make of that?"""
     return any(hypot(*offset) <= LEAST for offset in offsets(joint, mirror))
+
+
+def is_aside(joint: Joint, mirror: Joint) -> bool:
+    """Do both hang on one link, on one side of each plane of its frame?"""
+    own, other = origin_of(joint), origin_of(mirror)
+    return joint.parent_link is mirror.parent_link and all(a * b > 0 for a, b in zip(own, other, strict=True))
+
+
+def plane(joint: Joint, mirror: Joint) -> tuple[Link, int, float] | None:
+    """Of what they are mirror images in the link that carries both: the axis across the plane, and where it is (m)."""
+    link, own, other = joint.parent_link, origin_of(joint), origin_of(mirror)
+    if link is None or link is not mirror.parent_link:
+        return None
+    apart = [abs(a - b) > LEAST for a, b in zip(own, other, strict=True)]
+    if sum(apart) != 1:
+        return None
+    across = apart.index(True)
+    return link, across, (own[across] + other[across]) / 2
+
+
+def is_middle(own: tuple[Link, int, float], others: list[tuple[Link, int, float]]) -> bool:
+    """Do the shapes of the link, or other pairs on it, have the same plane, so that its frame is elsewhere?"""
+    link, across, at = own
+    known = [there for carrier, axis, there in others if (carrier, axis) == (link, across)]
+    if link.extent is not None:
+        known.append(link.extent.center[across])
+    return any(abs(at - there) <= LEAST for there in known)
 
 
 def is_slid(joint: Joint, mirror: Joint) -> bool:

@@ -8,6 +8,7 @@ from sdfcheck import (
     Diagnostic,
     Good,
     Joint,
+    Link,
     Root,
     Rule,
     Severity,
@@ -71,24 +72,24 @@ class SeveralParents(Rule):
             '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
             scaffold=IN_ROBOT,
         ),
+        Good(
+            '<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>'
+            '<link name="arm"/><joint name="k" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+            why="duplicate-name owns this one: with another name for the second link both joints are right",
+        ),
     )
 
     @staticmethod
     def applies(root: Root) -> bool:
-        return any(
-            not joint.is_urdf or joint.name != joints[0].name
-            for joints in root.parent_joints.values()
-            for joint in joints[1:]
-        )
+        return any(True for _ in further_joints(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
-        for link, (first, *others) in root.parent_joints.items():
-            names = named((joint.name for joint in (first, *others)), most=4)
-            message = f"link `{link.name}` is child of {len(others) + 1} joints: {names}"
-            for joint in others:
-                if joint.is_urdf and joint.name == first.name:
-                    continue  # the business of duplicate-name
-                yield self._one_more(joint, first, message)
+        for link, joints, further in further_joints(root):
+            names = named((each.name for each in joints), most=4)
+            message = f"link `{link.name}` is child of {len(joints)} joints: {names}"
+            for joint in further:
+                yield self._one_more(joint, joints[0], message)
 
     def _one_more(self, joint: Joint, first: Joint, message: str) -> Diagnostic:
         is_held = not joint.is_urdf and "world" in (joint.parent_name, first.parent_name)
@@ -100,3 +101,12 @@ class SeveralParents(Rule):
             # A joint to the world makes no loop with another one.
             affects={Consumer.DRAKE: accepts("holds the link")} if is_held else {},
         )
+
+
+def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]]:
+    """A link with all joints that carry it, and those after the first of them; where no name is given again."""
+    doubled = {later.name for first, later in root.names.shared if first.kind == later.kind == "link"}
+    for link, joints in root.parent_joints.items():
+        further = [joint for joint in joints[1:] if not joint.is_urdf or joint.name != joints[0].name]
+        if further and link.name not in doubled:
+            yield link, joints, further

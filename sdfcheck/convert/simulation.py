@@ -215,10 +215,25 @@ class Subject:
 
     @cached_property
     def neighbors(self) -> set[frozenset[str]]:
-        """Pairs of groups with a joint between them."""
-        joints = self.robot.joints.values()
-        known = [joint for joint in joints if joint.parent in self.groups and joint.child in self.groups]
-        return {frozenset((self.groups[joint.parent], self.groups[joint.child])) for joint in known}
+        """Pairs of groups with a joint between them, or a chain of links that collide with nothing."""
+        below: dict[str, set[str]] = {}
+        for joint in self.robot.joints.values():
+            if joint.parent in self.groups and joint.child in self.groups:
+                below.setdefault(self.groups[joint.parent], set()).add(self.groups[joint.child])
+        solid = {
+            self.groups[name]
+            for name, link in self.robot.links.items()
+            if any(shape.role == "collision" for shape in link.geometries)
+        }
+        found: set[frozenset[str]] = set()
+        for group, under in below.items():
+            waiting, seen = list(under), set(under)
+            for each in waiting:
+                found.add(frozenset((group, each)))
+                further = below.get(each, set()) - seen if each not in solid else set()
+                seen |= further
+                waiting += further
+        return found
 
     @cached_property
     def disabled(self) -> set[frozenset[str]]:

@@ -162,7 +162,8 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
     # Else it is looked for among the models, as Gazebo does for any scheme, and Gazebo Classic in the folders of media.
     models = (os.path.join(model, inside) for model in _owners(document, "model", name, around).tried)
     media = (os.path.join(above, media, "models", path) for above in around.above for media in _MEDIA)
-    return _first(disk, scheme, (beside, *models, *media))
+    exported = _exported(document, path) if name in _MEDIA else ()
+    return _first(disk, scheme, (beside, *models, *media, *exported))
 
 
 def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -> _Owners:
@@ -212,6 +213,15 @@ def _models_of_project(document: Document, name: str, around: _Surroundings) -> 
     if library is None or library.search.is_alone:
         return ()
     return tuple(library.packages(document.path).models(name, around.folder))
+
+
+def _exported(document: Document, path: str) -> Iterator[str]:
+    """A path into folders of media in each package of the project, which packages export to Gazebo Classic."""
+    library = library_of(document)
+    if library is not None and not library.search.is_alone:
+        packages = library.packages(document.path)
+        for name in packages.names:
+            yield os.path.join(packages.find(name, document.path) or "", path)
 
 
 def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:

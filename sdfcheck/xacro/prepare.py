@@ -33,7 +33,7 @@ from sdfcheck.xacro.problems import (
 )
 from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot, keyword
-from sdfcheck.xacro.static.project import is_called, is_included
+from sdfcheck.xacro.static.project import is_called, is_expanded, is_included
 from sdfcheck.xacro.static.reasons import with_reason
 
 # Files that are only a part of a robot: another file includes them and has the rest.
@@ -51,12 +51,15 @@ _ABOUT_LINKS = frozenset({"gazebo", "material", "ros2_control", "transmission"})
 
 
 def is_launched_source(document: Document) -> bool:
-    """Are there expressions of xacro in a robot that a launch file of the project expands, whatever its name says?"""
+    """Are there expressions of xacro in a robot that the project expands, whatever its name says?
+
+    A launch file does, or somebody did, and keeps the result.
+    """
     if document.kind is not Kind.URDF or not is_unknown(document.source.text):
         return False
     from sdfcheck.xacro.static.launches import is_launched
 
-    return is_launched(document)
+    return is_launched(document) or is_expanded(document)
 
 
 def is_fragment(document: Document) -> bool:
@@ -75,7 +78,7 @@ def is_fragment(document: Document) -> bool:
 
 
 def lacks_parts(document: Document) -> bool:
-    """Whether a robot names links, joints or materials that it does not have itself."""
+    """Whether a robot names links, joints or materials that it does not have itself, or has links without joints."""
     root = document.root
     if root is None or document.kind is not Kind.URDF:
         return False
@@ -85,6 +88,8 @@ def lacks_parts(document: Document) -> bool:
             attribute, kind = _USES.get((part.name, inner.name), ("", ""))
             if kind and inner.text_of(attribute) not in own[kind]:
                 return True
+    if len(own["link"]) > len(own["joint"]) + 1:
+        return True
     blocks = (block.text_of("reference") for block in root.children("gazebo"))
     if any(name and name not in own["link"] | own["joint"] for name in blocks):
         return True

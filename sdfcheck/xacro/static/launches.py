@@ -13,6 +13,7 @@ import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
 from html import unescape
+from itertools import islice
 from pathlib import Path
 from typing import Protocol
 
@@ -23,9 +24,13 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.xacro.language import LONGEST_CODE, syntax_tree
 
-_SUFFIXES = ("launch", "launch.xml", "launch.py")
+_SUFFIXES = ("launch", "launch.xml", ".py")
+_FOLDER = "launch"
+"""In a folder of this name each program is a launch file, elsewhere one whose name says so."""
 _FILE_LIMIT = 500
 """So many launch files of each kind are read."""
+_NAME_LIMIT = 20_000
+"""So many files of one ending are looked through for launch files."""
 _INCLUDES_DEEP = 4
 _EFFORT = 5_000_000
 """So many characters and names are looked at for all launch files of a project; the rest is not known."""
@@ -140,7 +145,7 @@ class _Launches:
         by_name: dict[str, _Launch] = {}
         launches: list[_Launch] = []
         for suffix in _SUFFIXES:
-            for path in packages.files(suffix, _FILE_LIMIT):
+            for path in islice(filter(_is_launch, packages.files(suffix, _NAME_LIMIT)), _FILE_LIMIT):
                 launch = self._read(path)
                 if launch is not None:
                     launches.append(launch)
@@ -168,6 +173,10 @@ class _Launches:
         for inner in tuple(launch.included(given)) if depth < _INCLUDES_DEEP else ():
             if inner.file in by_name and self._around.may_spend(0):
                 yield from self._uses(by_name[inner.file], inner.arguments, by_name, depth + 1)
+
+
+def _is_launch(path: Path) -> bool:
+    return path.suffix != ".py" or path.name.endswith("launch.py") or path.parent.name == _FOLDER
 
 
 def _of_command(command: str, *, is_text: bool) -> Iterator[_Use]:

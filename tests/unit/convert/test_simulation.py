@@ -135,6 +135,13 @@ def test_a_joint_that_moves_parts_into_one_another(
     assert '"moment":{"positions":{"' in page.read_text(encoding="utf-8").replace(" ", "")
 
 
+def test_links_with_nothing_solid_between_them_are_neighbors(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = arm(tool_at="-0.3 0 -0.3").replace(box(".05 .05 .2", "0.15 0 0.1"), "")
+    assert "SIM004" not in codes(findings(text, Engine.MUJOCO, tmp_path, capsys))
+
+
 def test_pairs_that_srdf_disables_may_overlap(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = arm(tool_at="-0.3 0 -0.3")
     assert codes(findings(text, Engine.MUJOCO, tmp_path, capsys)) == {"SIM004"}

@@ -67,6 +67,15 @@ def test_a_model_of_another_package_of_the_project_is_found_the_nearest_first(tm
     assert locate(world, "model://lamp/lamp.sdf").path is None, "without model.config it is a folder only"
 
 
+def test_packages_export_their_media_to_each_other(tmp_path: Path) -> None:
+    write(tmp_path / "a", {"package.xml": "<package><name>a</name></package>", "models/main.sdf": MODEL})
+    write(tmp_path / "b", {"package.xml": "<package><name>b</name></package>", "Media/sky.dae": ""})
+    write(tmp_path, {".git/HEAD": ""})
+    world = opened(tmp_path / "a/models/main.sdf")
+    assert locate(world, "file://Media/sky.dae").path == tmp_path / "b/Media/sky.dae"
+    assert locate(world, "file://Media/gone.dae").path is None
+
+
 @pytest.mark.parametrize("variable", ["GZ_SIM_RESOURCE_PATH", "SDF_PATH", "GAZEBO_MODEL_PATH"])
 def test_the_environment_names_model_folders(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, variable: str

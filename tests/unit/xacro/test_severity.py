@@ -160,6 +160,32 @@ def test_a_file_of_another_package_is_another_file(folder: Path) -> None:
     assert ("JNT001", "error") in found(folder, f'<link name="b"/>{joint}', "part.xacro")
 
 
+@pytest.mark.parametrize(
+    ("path", "is_part"),
+    [("robots/parts/arm.urdf", True), ("parts/arm.urdf", False), ("$(arg a)/parts/arm.urdf", False)],
+)
+def test_a_package_that_is_not_there_had_two_folders_of_the_part(
+    folder: Path, path: str, is_part: bool
+) -> None:
+    (folder / "robots" / "parts").mkdir(parents=True)
+    (folder / "whole.xacro").write_text(
+        ROBOT.format(f'<link name="torso"/><xacro:include filename="$(find old)/{path}"/>')
+    )
+    joint = '<joint name="j" type="fixed"><parent link="torso"/><child link="b"/></joint>'
+    assert (
+        ("JNT001", "error") not in found(folder, f'<link name="b"/>{joint}', "robots/parts/arm.urdf")
+    ) == is_part
+
+
+def test_links_that_nothing_ties_are_parts_where_they_are_included(folder: Path) -> None:
+    hands = '<link name="left"/><link name="right"/>'
+    assert ("URD004", "error") in found(folder, hands, "hands.urdf")
+    (folder / "whole.xacro").write_text(
+        ROBOT.format('<link name="torso"/><xacro:include filename="hands.urdf"/>')
+    )
+    assert ("URD004", "error") not in found(folder, hands, "hands.urdf")
+
+
 def test_a_part_is_judged_where_it_is_included(folder: Path) -> None:
     joint = '<joint name="j" type="{}"><parent link="torso"/><child link="b"/></joint>'
     content = f'<link name="b"/>{joint}'
