@@ -16,9 +16,9 @@ FAR = 1.0
 """m: joints that are nearer to their parents are the rule."""
 LEAST = 0.01
 """m: what is nearer may be held by a part that is not drawn."""
-NEAR, SHARE = 0.005, 0.05
-"""m, and of the length of the link: of 441 parts that joints carry in public robots, by their surfaces, three are
-farther from the rest of its robot."""
+NEAR, HIDDEN, HALF, SHARE = 0.005, 0.035, 0.5, 0.05
+"""m, and of the length of the link: necks, wrists and ankles have joints inside that are not drawn. Of 441 parts that
+joints carry in public robots, by their surfaces, three are farther from the rest of its robot."""
 EYE = (
     f'<link name="eye">{mesh("visual", "arm.obj")}</link><joint name="k" type="fixed"><parent link="base"/>'
     '<child link="eye"/></joint></robot>'
@@ -124,7 +124,7 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
         if bound < (distance := nearest(link, others, bound)) < inf:
             found.append((joint, link, distance))
         elif link.has_mesh:
-            touching[joint] = max(NEAR, SHARE * length(link))
+            touching[joint] = max(NEAR, min(HIDDEN, HALF * length(link)), SHARE * length(link))
     apart = ((joint, joint.child_link, distance) for joint, distance in model.gaps(touching).items())
     return [
         *found,

@@ -50,6 +50,15 @@ class CenterOutsideLink(Rule):
             '<collision name="c"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></collision>',
             why="the size of the mesh is not known",
         ),
+        Good(
+            f"<inertial><pose>0.5 0 0 0 0 0</pose>{MASS}</inertial>{BOX}"
+            '<visual name="v"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></visual>',
+            why="the visual may reach farther than the collision",
+        ),
+        Good(
+            f"<inertial><pose>0.5 0 0 0 0 0</pose>{MASS}</inertial>{BOX}".replace("<mass>1<", "<mass>0.001<"),
+            why="1 g marks a place",
+        ),
     )
 
     @staticmethod

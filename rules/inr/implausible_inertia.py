@@ -2,7 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.excess_density import is_too_dense
-from sdfcheck_rules.inr.moments import is_far_off, is_unit, ratio
+from sdfcheck_rules.inr.moments import MARK, is_far_off, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -40,6 +40,11 @@ class ImplausibleInertia(Rule):
             why="twice a solid ball: a hollow one",
         ),
         Good(
+            "<inertial><mass>0.001</mass><inertia><ixx>1e-12</ixx><iyy>1e-12</iyy><izz>1e-12</izz></inertia></inertial>"
+            '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
+            why="1 g marks a place",
+        ),
+        Good(
             "<inertial><mass>900</mass><inertia><ixx>0.0009</ixx><iyy>0.0009</iyy><izz>0.0009</izz></inertia></inertial>"
             '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
             why="it is the mass that is wrong",
@@ -55,9 +60,10 @@ class ImplausibleInertia(Rule):
     def applies(inertial: Inertial) -> bool:
         if not is_far_off(inertial) or inertial.inertia is None or is_unit(inertial):
             return False
-        return ratio(inertial) > 1 or not is_too_dense(
-            inertial
-        )  # else the mass is wrong, which another rule says
+        if ratio(inertial) > 1:
+            return True
+        # else the mass may be wrong, which another rule says
+        return inertial.mass.number > MARK and not is_too_dense(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"

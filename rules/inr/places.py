@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from sdfcheck import Inertial, Value
-from sdfcheck_rules.inr.moments import is_out_of_scale, is_written
+from sdfcheck_rules.inr.moments import MARK, is_out_of_scale, is_written
 
-_LEAST = 1e-3
-"""kg: lighter links mark places; where their mass is makes no difference."""
-_MARK = 0.015
+_SMALLEST = 0.015
 """m: smaller shapes are marks."""
 _APART, _AT_END = 0.4, 0.49
 """Of the length of the shapes: so far from the middle of them is near their end."""
@@ -19,7 +17,7 @@ def is_compared(inertial: Inertial) -> bool:
     """Is there a mass, and are all shapes of the link known?"""
     if inertial.is_inside and not inertial.link.has_mesh:
         return False
-    if not is_written(inertial) or not inertial.mass.number >= _LEAST or inertial.center is None:
+    if not is_written(inertial) or not inertial.mass.number > MARK or inertial.center is None:
         return False
     return inertial.link.extent is not None
 
@@ -36,7 +34,7 @@ def is_off_origin(inertial: Inertial) -> bool:
     apart = _APART if place_of(inertial) is None else _AT_END
     for name in ("extent", "fixed_extent"):  # the second costs more
         box = getattr(inertial.link, name)
-        if box is None or not max(box.size) > _MARK:
+        if box is None or not max(box.size) > _SMALLEST:
             return False
         aside = _ASIDE * max(box.size)
         if not any(
@@ -57,17 +55,18 @@ def place_of(inertial: Inertial) -> Value | None:
 def outside(inertial: Inertial) -> float:
     """How far the center of mass is outside of the link's shapes, by their greatest length; 0 inside of them.
 
-    The shapes of links that are fixed to it count as well.
+    The shapes of links that are fixed to it count as well. Beside a visual of unknown size, collisions may be a part.
     """
     center, link = inertial.center, inertial.link
     if (
         center is None
+        or (link.visuals and link.visual_box is None)
         or not is_compared(inertial)
         or link.extent is None
         or not link.extent.distance_to(center)
     ):
         return 0.0
     box = link.fixed_extent
-    if box is None or not max(box.size) > _MARK or is_out_of_scale(inertial):
+    if box is None or not max(box.size) > _SMALLEST or is_out_of_scale(inertial):
         return 0.0
     return box.distance_to(center) / max(box.size)

@@ -14,7 +14,7 @@ import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from itertools import islice, pairwise
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, TypeAlias
 from urllib.parse import unquote
@@ -196,65 +196,85 @@ def _stl_corners(data: bytes, count: int) -> Any:
     return np.frombuffer(data, row, count, 84)["corners"].reshape(-1, 3).T.copy().T
 
 
-_FACET = 21
-"""Words of a facet in a text STL: facet normal x y z outer loop, three times vertex x y z, endloop endfacet."""
+_FACET = (b"endfacet", b"facet normal", b"outer loop", b"vertex", b"endloop")
+"""The words of a facet in a text STL, beside twelve numbers: its normal and its corners."""
 
 
 def _text_stl_corners(data: bytes) -> Points:
     import numpy as np
 
-    start, end = data.lower().find(b"facet"), data.lower().rfind(b"endfacet")
+    data = data.lower()
+    start, end = data.find(b"facet"), data.rfind(b"endfacet")
     if start < 0 or end < 0:
         raise Faulty("has no triangle")
-    words = data[start : end + len(b"endfacet")].split()
-    if len(words) % _FACET == 0 and {word.lower() for word in words[7::_FACET]} == {b"vertex"}:
-        columns = (words[column::_FACET] for column in (8, 9, 10, 12, 13, 14, 16, 17, 18))
-        return np.asarray(np.array([_numbers(b" ".join(column)) for column in columns]).T.reshape(-1, 3))
-    # several solids, or comments
-    found = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data, re.IGNORECASE)
+    text = data[start:end]
+    for word in _FACET:
+        text = text.replace(word, b"")
+    with suppress(ValueError):
+        return np.asarray(_numbers(text).reshape(-1, 4, 3)[:, 1:].reshape(-1, 3))
+    # several solids, comments, or normals that are not numbers
+    found = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data)
     return np.array(found).astype(float).reshape(-1, 3)
 
 
 def _read_obj(data: bytes) -> Content:
-    import numpy as np
-
-    lines = data.replace(b"\t", b" ").replace(b"\r", b"\n").split(b"\n")
+    data = b"\n" + data.replace(b"\t", b" ").replace(b"\r", b"\n") + b"\n"
     if b"\n " in data:
-        lines = [line.strip() for line in lines]
-    rows = [line for line in lines if line[:2] == b"v "]
-    faces = [line for line in lines if line[:2] == b"f "]
-    words = b" ".join(faces).split()
-    triangles = len(words) - 3 * len(faces)
+        data = b"\n".join(line.lstrip(b" ") for line in data.split(b"\n"))
+    rows, faces, others = _lines(data, b"v ", b"f ", b"mt")
+    triangles = _words(faces) - 3 * faces.count(b"f ")
     if triangles <= 0:
         raise Faulty("has no face")
-    numbers = _numbers(b" ".join(rows).replace(b"v", b" "))
-    width = len(rows[0].split()) - 1 if rows else 3
-    if len(numbers) == width * len(rows):
-        corners = numbers.reshape(-1, width)[:, :3]
-    else:
-        corners = np.array([row.split()[1:4] for row in rows]).astype(float)
-    named = (line[7:] for line in lines if line[:7] == b"mtllib ")
+    corners = _rows(rows.replace(b"v", b""))
+    named = (line[7:] for line in others.split(b"\n") if line[:7] == b"mtllib ")
     files = _names(name.decode(errors="replace") for name in named)
     return Mesh("OBJ", _bounds(corners), triangles, files=files), lambda: [
-        corners[_obj_triangles(words, faces)]
+        corners.take(_obj_triangles(faces), axis=0)
     ]
 
 
-def _obj_triangles(words: Sequence[bytes], faces: Sequence[bytes]) -> Any:
-    """The corners (n, 3) of faces, whose words are such as ``f 12/3/4 5/6/7 8/9/10``, all with as many numbers."""
+def _lines(data: bytes, *kinds: bytes) -> Iterator[bytes]:
+    """The lines that begin with two characters, for each of these; of a text between two ends of lines."""
     import numpy as np
 
-    corners = [word for word in words if word != b"f"]
-    first = corners[0].split(b"/")
-    text = b" ".join(corners)
-    numbers, width = _numbers(text.replace(b"/", b" "), int), len(first) - first.count(b"")
-    if text.count(b"/") == (len(first) - 1) * len(corners) and len(numbers) == width * len(corners):
-        numbers = numbers[::width]
-    else:
-        numbers = np.array([int(word.split(b"/")[0]) for word in corners])
-    are_triangles = words[::4].count(b"f") == len(faces) and len(corners) == 3 * len(faces)
-    sides = [3] * len(faces) if are_triangles else [len(face.split()) - 1 for face in faces]
-    return _fans(sides, np.where(numbers > 0, numbers - 1, numbers))
+    codes = np.frombuffer(data + b"\0\0", np.uint8)
+    starts = np.flatnonzero(codes == ord("\n")) + 1
+    for kind in kinds:
+        chosen = (codes[starts] == kind[0]) & (codes[starts + 1] == kind[1])
+        edges = starts[np.flatnonzero(np.diff(chosen, prepend=False))]
+        yield b"".join([data[first:last] for first, last in edges.reshape(-1, 2).tolist()])
+
+
+def _words(text: bytes) -> int:
+    """The number of words."""
+    import numpy as np
+
+    is_inside = np.frombuffer(b" " + text, np.uint8) > ord(" ")
+    return int(np.count_nonzero(is_inside[1:] > is_inside[:-1]))
+
+
+def _rows(text: bytes) -> Points:
+    """The first three numbers of each line."""
+    import numpy as np
+
+    numbers, width = _numbers(text), len(text.partition(b"\n")[0].split())
+    if width and len(numbers) == width * text.count(b"\n"):
+        return np.asarray(numbers.reshape(-1, width)[:, :3])
+    return np.array([line.split()[:3] for line in text.splitlines()]).astype(float)
+
+
+def _obj_triangles(faces: bytes) -> Any:
+    """The corners (n, 3) of faces, whose lines are such as ``f 12/3/4 5/6/7 8/9/10``."""
+    import numpy as np
+
+    parts = faces.split(maxsplit=2)[1].split(b"/")
+    width = len(parts) - parts.count(b"")
+    numbers = _numbers(faces.replace(b"f", b"0").replace(b"/", b" "), int)
+    corners = numbers[numbers != 0]
+    if faces.count(b"/") * width != (len(parts) - 1) * len(corners):
+        return _obj_triangles(re.sub(rb"/\S*", b"", faces))
+    sides = np.diff(np.flatnonzero(numbers == 0), append=len(numbers)) - 1
+    return _fans(sides // width, np.where(corners > 0, corners - 1, corners)[::width])
 
 
 def _read_collada(data: bytes) -> Content:
@@ -375,8 +395,8 @@ class _Collada:
                 parts = (self._corners(each) for each in element.iter() if _triangles(each))
                 self.corners[element] = [part for part in parts if part is not None and len(part)]
             for part in self.corners[element]:
-                corners = part.reshape(-1, 3) @ transform[:3, :3].T + transform[:3, 3]
-                yield (corners * meter).reshape(-1, 3, 3)
+                corners = part.reshape(-1, 3) @ (transform[:3, :3].T * meter) + transform[:3, 3] * meter
+                yield corners.reshape(-1, 3, 3)
 
     def _corners(self, primitive: Any) -> Points | None:
         """The triangles of one primitive, in its own frame."""
@@ -393,9 +413,11 @@ class _Collada:
         corners = [row[int(vertex.get("offset", 0)) :: stride] for row in rows]
         sides = next((_numbers(each.text or "", int) for each in primitive if _name(each) == "vcount"), None)
         if _name(primitive) == "triangles":
-            return np.asarray(points[corners[0][: len(corners[0]) // 3 * 3].reshape(-1, 3)])
-        counts = sides.tolist() if sides is not None else list(map(len, corners))
-        return np.asarray(points[_fans(counts, np.concatenate(corners))])
+            chosen = corners[0][: len(corners[0]) // 3 * 3].reshape(-1, 3)
+        else:
+            sides = np.array(list(map(len, corners))) if sides is None else sides
+            chosen = _fans(sides, np.concatenate(corners))
+        return np.take(points, chosen, axis=0)
 
     def _target(self, element: Any, attribute: str = "url") -> Any:
         return self.named.get((element.get(attribute) or "").lstrip("#"))
@@ -417,8 +439,8 @@ def _triangles(element: Any) -> int:
         return 0
     count = int(element.get("count") or 0)
     if name == "polylist":
-        sides = next((child.text or "" for child in element if _name(child) == "vcount"), "").split()
-        return sum(map(int, sides)) - 2 * len(sides)
+        sides = next((_numbers(child.text or "", int) for child in element if _name(child) == "vcount"), None)
+        return int(sides.sum()) - 2 * len(sides) if sides is not None else 0
     return count
 
 
@@ -456,18 +478,14 @@ def _turn(axis: Points, angle: float) -> Points:
     return np.asarray(np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * (cross @ cross))
 
 
-def _fans(counts: Sequence[int], corners: Any) -> Any:
-    """The triangles (n, 3) of polygons with so many corners each."""
+def _fans(sides: Any, corners: Any) -> Any:
+    """The triangles (n, 3) of polygons with so many sides each."""
     import numpy as np
 
-    if set(counts) == {3}:
-        return corners[: 3 * len(counts)].reshape(-1, 3)
-    starts, found = 0, []
-    for count in counts:
-        first, *others = corners[starts : starts + count].tolist()
-        found += [(first, *pair) for pair in pairwise(others)]
-        starts += count
-    return np.array(found, dtype=int).reshape(-1, 3)
+    counts = np.maximum(sides - 2, 0)
+    first = np.repeat(np.cumsum(sides) - sides, counts)
+    next_ = first + np.arange(1, len(first) + 1) - np.repeat(np.cumsum(counts) - counts, counts)
+    return corners.take(np.stack((first, next_, next_ + 1), axis=1))
 
 
 def _read_glb(data: bytes) -> Content:
@@ -579,12 +597,51 @@ def _numbers(text: str | bytes, kind: type = float) -> npt.NDArray[Any]:
     """The numbers of a text."""
     import numpy as np
 
+    data = text.encode() if isinstance(text, str) else text
     with catch_warnings():
         simplefilter("error", DeprecationWarning)
+        if kind is float and len(data) > _SHORT:
+            with suppress(DeprecationWarning, ValueError):
+                return _decimals(data)
         try:
-            return np.fromstring(text, kind, sep=" ") if text.strip() else np.empty(0, kind)
+            return np.fromstring(data, kind, sep=" ") if data.strip() else np.empty(0, kind)
         except DeprecationWarning:
             raise ValueError("no number") from None
+
+
+_SHORT = 1000
+"""Characters: numpy reads less text sooner by itself."""
+_BLANK, _POINT, _POWER = b" .e"
+_BLANKS, _APART = bytes.maketrans(b"\t\n\v\f\rE", b"     e"), bytes.maketrans(b"e", b" ")
+_LONGEST, _GREATEST = 2**62, 300
+
+
+def _decimals(data: bytes) -> Points:
+    """The numbers of a text by their digits and the places of their points, in half of numpy's time.
+
+    Raises ValueError, or numpy's DeprecationWarning, where it has other words than such as ``-1.5e3``, or longer ones.
+    """
+    import numpy as np
+
+    data = data.translate(_BLANKS) + b" "
+    digits = np.fromstring(data.translate(_APART, b"."), np.int64, sep=" ")
+    codes = np.frombuffer(data, np.uint8)
+    marks = np.flatnonzero((codes == _BLANK) | (codes == _POINT) | (codes == _POWER))
+    kinds = codes[marks]
+    ends = np.flatnonzero((kinds != _POINT) & (codes[marks - 1] != _BLANK))
+    has_point = kinds[ends - 1] == _POINT
+    places = np.where(has_point, marks[ends] - marks[ends - 1] - 1, 0)
+    powers = np.flatnonzero(kinds[ends] == _POWER) + 1
+    counted = len(digits), int(has_point.sum()), len(powers)
+    if counted != (len(ends), int((kinds == _POINT).sum()), int((kinds == _POWER).sum())):
+        raise ValueError("other words than numbers")
+    if not -_LONGEST < digits.min() <= digits.max() < _LONGEST:
+        raise ValueError("too many digits")
+    places[powers - 1] -= digits[powers]
+    places = np.delete(places, powers).clip(-_GREATEST, _GREATEST)
+    return np.asarray(
+        np.delete(digits, powers) / (10.0 ** np.arange(-_GREATEST, _GREATEST + 1))[places + _GREATEST]
+    )
 
 
 def _bounds(points: Any) -> Box:

@@ -227,8 +227,11 @@ class Skin(NamedTuple):
 
     def distance_to(self, other: Skin) -> float:
         """How far another surface is away (m); each point is a disc, of which the larger one counts."""
-        discs = np.maximum.outer(self._radii, other._radii)
-        return float((np.sqrt(_squares(self.points, other.points)) - discs).min())
+        few, others = (skin.some(_LEVELS[0]).points for skin in (self, other))
+        reach = math.sqrt(_squares(few, others).min()) + max(self._radii.max(), other._radii.max())
+        mine, theirs = self.within(other, reach), other.within(self, reach)
+        discs = np.maximum.outer(mine._radii, theirs._radii)
+        return float((np.sqrt(_squares(mine.points, theirs.points)) - discs).min())
 
     def distance_of_bounds(self, other: Skin) -> float:
         """How far its bounds are from those of another surface (m)."""

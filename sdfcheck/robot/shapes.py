@@ -179,9 +179,17 @@ class Geometry(Part):
         """The content of its mesh file; None without one on this computer, and where only a part of it is meant."""
         from sdfcheck.bodies.mesh import mesh_at
 
-        parent = self.element.parent
-        is_seen = self.is_urdf and parent is not None and parent.name == "visual"
-        return self._measured_by(partial(mesh_at, with_skin=is_seen))
+        return self._measured_by(partial(mesh_at, with_skin=self.is_urdf and self._is_on_surface))
+
+    @property
+    def _is_on_surface(self) -> bool:
+        """Is its file that of a visual of its link, or has the link none? Then its surface is asked for, too."""
+        shape = self.element.parent
+        link = shape.parent if shape is not None else None
+        visuals = tuple(link.children("visual")) if link is not None else ()
+        drawn = (each.find("mesh") for visual in visuals for each in visual.children("geometry"))
+        names = {mesh.attributes.get("filename", "").strip() for mesh in drawn if mesh is not None}
+        return not visuals or self.uri in names
 
     @lazy
     def skin(self) -> Skin | None:

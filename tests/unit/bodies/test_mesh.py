@@ -9,14 +9,19 @@ import struct
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
+from sdfcheck.bodies import mesh
 from sdfcheck.bodies.box import Box, around
 from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, skin_at
 from sdfcheck.bodies.solid import of_shape, together
 from sdfcheck.files.library import Shelves
+from sdfcheck.robot.graph import Model
+from sdfcheck.robot.root import root_of
+from tests.unit.robot.files import opened
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -107,6 +112,30 @@ def written(folder: Path, name: str, content: bytes) -> Path:
 def test_bounds_and_triangles(tmp_path: Path, name: str, content: bytes, form: str, triangles: int) -> None:
     mesh = read_mesh(written(tmp_path, name, content))
     assert (mesh.format, mesh.bounds, mesh.triangles, mesh.fault) == (form, WEDGE, triangles, "")
+
+
+@pytest.mark.parametrize(
+    "spelling", ["1", "1.5", "-.25", "5.", "+7", "1e-3", "-1.5E+2", "2.5e0", "0." + "1" * 30]
+)
+def test_long_texts_have_numbers_of_every_spelling(tmp_path: Path, spelling: str) -> None:
+    vertices = f"v 0 0 0\nv\t{spelling}  9.25 -1.5e-1 \r\n" * 200
+    mesh = read_mesh(written(tmp_path, "a.obj", f"{vertices}f 1 2 3\nf 3 4 5 6\n".encode()))
+    low, high = sorted((0.0, float(spelling)))
+    assert mesh.bounds == Box((low, 0.0, -0.15), (high, 9.25, 0.0))
+    assert mesh.triangles == 3
+
+
+@pytest.mark.parametrize("spelling", ["1.2.3", "1e", "--1", ".", "1e5e6x", "v", "1_0"])
+def test_long_texts_with_other_words_cannot_be_decoded(tmp_path: Path, spelling: str) -> None:
+    text = f"v 0 0 0\nv {spelling} 1 2\n" + "v 0 0.5 0\n" * 200 + "f 1 2 3\n"
+    assert read_mesh(written(tmp_path, "a.obj", text.encode())).fault == "cannot be decoded"
+
+
+def test_normals_of_a_text_stl_need_not_be_numbers(tmp_path: Path) -> None:
+    content = text_stl(text_stl().decode().partition("\n")[2] * 20).replace(
+        b"normal 0 0 1", b"normal nan nan x"
+    )
+    assert read_mesh(written(tmp_path, "a.stl", content)).bounds == WEDGE
 
 
 def test_the_unit_of_collada_is_applied_and_its_up_axis_is_not(tmp_path: Path) -> None:
@@ -297,6 +326,7 @@ UNIT = '<unit meter="0.5"/>'
         ("a.stl", text_stl(), 1.0),
         ("a.obj", OBJ + b"f 1/1 2/2 -1\n", 1.0),
         ("a.obj", OBJ + b"v 0 3 -1\nf 1 2 3 4\n", 1.0),
+        ("a.obj", OBJ + b"vt 0 0\nf 1//1 2//1 3/1/1\n", 1.0),
         ("a.dae", collada(), 1.0),
         ("a.dae", collada(polygons="polylist", unit=UNIT), 0.5),
         ("a.dae", collada(polygons="polygons", node="<scale>3 3 3</scale>"), 3.0),
@@ -399,6 +429,21 @@ def test_measurements_of_a_folder_are_in_one_file_that_does_not_grow_without_end
     assert found == [[2], None]
     kept = min(cache.iterdir(), key=lambda path: len(path.name))
     assert list(json.loads(kept.read_text())["rows"]) == ["2.stl", "a"]
+
+
+def test_a_file_that_a_visual_and_a_collision_share_is_read_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    measure = Mock(wraps=mesh._content)
+    monkeypatch.setattr(mesh, "_content", measure)
+    shape = '<geometry><mesh filename="a.stl"/></geometry>'
+    written(tmp_path, "a.stl", binary_stl())
+    text = f'<robot name="r"><link name="a"><collision>{shape}</collision><visual>{shape}</visual></link></robot>'
+    (robot,) = root_of(opened(written(tmp_path, "r.urdf", text.encode()))).each(Model)
+    link = robot.links[0]
+    assert link.collision_box == link.visual_box == WEDGE
+    assert link.skin is not None
+    assert measure.call_count == 1
 
 
 def test_the_oldest_measurements_give_way(
