@@ -88,11 +88,26 @@ _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], 
 """Urgency, number, the work, and what takes its result or its exception."""
 
 
+_THRESHOLD, _ARENAS = -3, -8
+"""Settings of glibc: from which size on memory goes back to the system at once, and how many heaps there are."""
+
+
+def keep_memory_small() -> None:
+    """Let long texts give their memory back, whichever thread made them; to be called before there are threads."""
+    _ask_glibc("mallopt", _THRESHOLD, 1 << 17)
+    _ask_glibc("mallopt", _ARENAS, 1)
+
+
 def _give_back() -> None:
-    """Collect garbage, and give free memory back to the system where its library can (glibc)."""
+    """Collect garbage, and give free memory back to the system."""
     gc.collect()
+    _ask_glibc("malloc_trim", 0)
+
+
+def _ask_glibc(function: str, *values: int) -> None:
+    """Call a function of the system's library, if it has that."""
     with suppress(AttributeError, OSError, TypeError):
-        ctypes.CDLL(None).malloc_trim(0)
+        getattr(ctypes.CDLL(None), function)(*values)
 
 
 class Worker:

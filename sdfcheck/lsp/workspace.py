@@ -647,6 +647,11 @@ class Workspace:
         outer, self._looked_at = self._looked_at, path
         try:
             yield
+        except Outdated:
+            self.caches.tidy()
+            for buffer in self.buffers.values():
+                buffer.tidy()
+            raise
         finally:
             self._looked_at = outer
 
