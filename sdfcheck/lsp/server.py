@@ -274,7 +274,10 @@ class Server(LanguageServer):
 
         def job() -> T:
             buffer = self.robots.buffers.get(self.robots.key(path_of(uri)))
-            return otherwise if buffer is None else answer(buffer)
+            if buffer is None:
+                return otherwise
+            with self.robots.looking_at(buffer.path):
+                return answer(buffer)
 
         return await self.work(job, otherwise, urgency)
 
