@@ -1,7 +1,9 @@
 """Types into a file that the language server has open, and measures what the person at the keyboard waits for.
 
-``python -m benchmarks.keystrokes FILE [--rounds 10]`` prints the medians: from a keystroke to the last diagnostics that
-it causes, outline, hover and completion after it, by the clock and in processor time of the server, and its memory.
+``python -m benchmarks.keystrokes FILE [--rounds 10] [--edits 0]`` prints the outline when the file is opened, and the
+medians: from a keystroke to the last diagnostics that it causes, outline, hover and completion after it, by the clock
+and in processor time of the server. With ``--edits`` somebody then types so often without a pause, and asks between.
+In the end the memory of the server is printed.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ from itertools import count, cycle
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
-from typing import Any
+from typing import Any, NamedTuple
 
 from tests.fuzz.language_server import Ended, LanguageServer
 
@@ -24,7 +26,18 @@ QUIET = 1.0
 _CAPABILITIES: dict[str, object] = {
     "textDocument": {"publishDiagnostics": {}, "documentSymbol": {"hierarchicalDocumentSymbolSupport": True}}
 }
+_ASKED = ("hover", "completion")
 _VALUE = re.compile(r"(?<=>)\d+\.\d+(?=[ <])|(?<=\")\d+\.\d+(?=[ \"])")
+
+
+class Times(NamedTuple):
+    """The time by the clock, and that in the processor, in seconds."""
+
+    clock: float
+    processor: float
+
+    def since(self, begin: Times) -> Times:
+        return Times(self.clock - begin.clock, self.processor - begin.processor)
 
 
 class Server:
@@ -32,7 +45,7 @@ class Server:
 
     def __init__(self, folder: Path) -> None:
         self._server = LanguageServer(folder, _CAPABILITIES)
-        self._inbox: Queue[tuple[float, dict[str, Any]] | None] = Queue()
+        self._inbox: Queue[tuple[Times, dict[str, Any]] | None] = Queue()
         """None: the server has gone."""
         self._asked = 0
         self._listener = Thread(target=self._listen, daemon=True)
@@ -41,10 +54,10 @@ class Server:
     def notify(self, method: str, **params: object) -> None:
         self._server.notify(method, params)
 
-    def ask(self, method: str, **params: object) -> tuple[float, float]:
-        """Ask and wait for the answer; the time by the clock and in the processor, in seconds."""
+    def ask(self, method: str, **params: object) -> Times:
+        """Ask and wait for the answer; the time that it took."""
         self._asked += 1
-        begin, computed = time.perf_counter(), self._server.computed
+        begin = self.now
         self._server.send({"id": self._asked, "method": method, "params": params})
         while True:
             received, message = self._next()
@@ -52,11 +65,11 @@ class Server:
                 break
         if "error" in message:
             raise RuntimeError(f"{method}: {message['error']}")
-        return received - begin, self._server.computed - computed
+        return received.since(begin)
 
-    def until_quiet(self) -> float:
+    def until_quiet(self) -> Times | None:
         """Wait until nothing more comes; the time of the last diagnostics."""
-        last = 0.0
+        last = None
         while True:
             try:
                 received, message = self._next(QUIET)
@@ -64,6 +77,10 @@ class Server:
                 return last
             if message.get("method") == "textDocument/publishDiagnostics":
                 last = received
+
+    @property
+    def now(self) -> Times:
+        return Times(time.perf_counter(), self._server.computed)
 
     @property
     def memory(self) -> int:
@@ -75,7 +92,7 @@ class Server:
         self._listener.join()
         self._server.close()
 
-    def _next(self, timeout: float | None = None) -> tuple[float, dict[str, Any]]:
+    def _next(self, timeout: float | None = None) -> tuple[Times, dict[str, Any]]:
         item = self._inbox.get(timeout=timeout)
         if item is None:
             raise Ended
@@ -85,7 +102,7 @@ class Server:
         with suppress(Ended):
             while True:
                 message = self._server.next_message()
-                self._inbox.put((self._server.received, message))
+                self._inbox.put((Times(self._server.received, self._server.spent), message))
         self._inbox.put(None)
 
 
@@ -105,6 +122,7 @@ class Typist:
         self._versions = count(1)
         opened = {**self.file, "languageId": "xml", "version": next(self._versions), "text": text}
         server.notify("textDocument/didOpen", textDocument=opened)
+        self.ask("outline, opening", "documentSymbol")
         server.until_quiet()
 
     def type_one(self) -> None:
@@ -116,18 +134,23 @@ class Typist:
         )
 
     def ask(self, name: str, method: str, **where: object) -> None:
-        waited, computed = self.server.ask(f"textDocument/{method}", textDocument=self.file, **where)
-        self.note(name, waited)
-        self.note(f"{name}, processor", computed)
+        self.note(name, self.server.ask(f"textDocument/{method}", textDocument=self.file, **where))
 
-    def note(self, name: str, seconds: float) -> None:
-        self.seconds.setdefault(name, []).append(seconds)
+    def note(self, name: str, took: Times) -> None:
+        self.seconds.setdefault(name, []).append(took.clock)
+        self.seconds.setdefault(f"{name}, processor", []).append(took.processor)
+
+    def hurry(self) -> None:
+        """Type and ask without a pause."""
+        self.type_one()
+        for method, where in (("documentSymbol", {}), *((each, {"position": self.place}) for each in _ASKED)):
+            self.server.ask(f"textDocument/{method}", textDocument=self.file, **where)
 
     def round(self) -> None:
-        begin = time.perf_counter()
+        begin = self.server.now
         self.type_one()
         if last := self.server.until_quiet():
-            self.note("diagnostics", last - begin)
+            self.note("diagnostics", last.since(begin))
         self.ask("outline, unchanged", "documentSymbol")
         for name, method, where in (
             ("outline", "documentSymbol", {}),
@@ -144,6 +167,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("file", type=Path)
     parser.add_argument("--rounds", type=int, default=10)
+    parser.add_argument("--edits", type=int, default=0)
     choice = parser.parse_args()
     file = choice.file.resolve()
     server = Server(file.parent)
@@ -151,6 +175,9 @@ def main() -> None:
         typist = Typist(server, file)
         for _ in range(choice.rounds):
             typist.round()
+        for _ in range(choice.edits):
+            typist.hurry()
+        server.until_quiet()
         for name, seconds in typist.seconds.items():
             print(f"{name:28} {statistics.median(seconds) * 1000:6.1f} ms, at most {max(seconds) * 1000:.1f}")
         print(f"{'memory':28} {server.memory / 1e6:6.1f} MB")

@@ -30,12 +30,14 @@ def server_command(tcp: bool, host: str, port: int, stdio: bool) -> int:
     """
     try:
         from sdfcheck.lsp.register import make_server
+        from sdfcheck.lsp.worker import keep_memory_small
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] not in {"pygls", "lsprotocol"}:
             raise
         raise WrongUsage("the language server needs pygls: pip install 'sdfcheck[lsp]'") from None
     gc.set_threshold(200_000, 3, 2)  # the worker collects garbage in pauses; this is for sessions without any
     gc.freeze()
+    keep_memory_small()
     logging.getLogger("pygls").setLevel(logging.CRITICAL)  # what matters is sent to the client
     server = make_server()
     if tcp:

@@ -14,7 +14,7 @@ from sdfcheck.convert.result import with_text
 from sdfcheck.convert.writer import number, render
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.urdf.schema import urdf
 from sdfcheck.formats.version import Version
@@ -157,8 +157,8 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
     """
     refuse_broken(document)
     is_sdf = document.kind is Kind.SDF
-    if style.numbers.degrees and (not is_sdf or survey(document).version < _DEGREES_SINCE):
-        what = f"SDFormat {survey(document).version}" if is_sdf else "URDF"
+    if style.numbers.degrees and (not is_sdf or version_of(document) < _DEGREES_SINCE):
+        what = f"SDFormat {version_of(document)}" if is_sdf else "URDF"
         raise WrongUsage(f"{what} has no poses in degrees (SDFormat has from {_DEGREES_SINCE} on)")
     notes: list[str] = []
     current = document
@@ -171,7 +171,7 @@ def canonical(document: Document, style: CanonicalStyle) -> CanonicalText:
     made = Altered(current)
     assert made.root is not None
     if is_sdf:
-        _tidy(made.root, schema(survey(current).version).root, style.numbers)
+        _tidy(made.root, schema(version_of(current)).root, style.numbers)
     else:
         _tidy(made.root, urdf(), style.numbers)
     result = with_text(document, render(made.root, made.prolog, made.epilog, keeps_lines=True))

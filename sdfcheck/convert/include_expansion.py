@@ -15,7 +15,7 @@ from sdfcheck.convert.loss import Loss, LossKind, NotConvertible, loss_at
 from sdfcheck.convert.result import Conversion
 from sdfcheck.convert.writer import numbers, render
 from sdfcheck.files.uris import locate, scheme_of
-from sdfcheck.formats.sdf.survey import PARAMETERS, survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot.includes.included import (
     Included,
@@ -122,7 +122,7 @@ class IncludeExpansion:
             return []
         so_far = len(self.expanded)
         try:
-            model = self._in_version(found, survey(document).version)
+            model = self._in_version(found, version_of(document))
             brought = copied(model)
             self.expand(brought, model.document, chain)
         except _Stays as error:
@@ -164,7 +164,7 @@ class IncludeExpansion:
         """The parts of an include, in the version of the file that includes it; raises _Stays."""
         assert found.document is not None
         assert found.model is not None
-        if found.document.kind is Kind.SDF and survey(found.document).version == version:
+        if found.document.kind is Kind.SDF and version_of(found.document) == version:
             return found.model
         converted = self._converted(found, version)
         model = included_element(converted)

@@ -14,7 +14,7 @@ from sdfcheck.convert.writer import BLOCK, MARKS, SCRIPTS, is_mark
 from sdfcheck.formats.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.sensors import NEWEST_TYPES
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.definitions import Slot, Tag, value_at
@@ -457,7 +457,7 @@ def of_model(model: Model) -> Contents:
 
 def of_world(world: World) -> Entry:
     """The contents of a world in addition to models."""
-    definition = schema(survey(world.document).version).root.children.get("world")
+    definition = schema(version_of(world.document)).root.children.get("world")
     made = _entry(world.element, definition, _OF_WORLDS)
     for physics in [child for child in made.children if child.name == "physics"]:
         for field in [child for child in physics.children if child.name in _FIELDS]:
@@ -571,7 +571,7 @@ def _add_custom(shape: Entry, element: Element) -> None:
 
 def _definition(element: Element, kind: str) -> Definition | None:
     """The definition of a link, joint or model in the version of its file."""
-    model = schema(survey(element.document).version).root.children.get("model")
+    model = schema(version_of(element.document)).root.children.get("model")
     return model if kind == "model" or model is None else model.children.get(kind)
 
 

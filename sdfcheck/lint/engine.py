@@ -68,8 +68,12 @@ class Xacro(NamedTuple):
 class Dispatch:
     """Which rules look at which problems, objects and elements; made once for a set of rules."""
 
-    def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
+    def __init__(
+        self, index: RuleIndex, active: ActiveRules, pause: Callable[[], None] = lambda: None
+    ) -> None:
         self.index = index
+        self.pause = pause
+        """Called between portions of the work, for something else that cannot wait."""
         self.severities = active.severities
         self.targets = active.targets
         # The consumers that somebody asks about: as a target, or by a rule that is off by default.
@@ -99,7 +103,7 @@ class Dispatch:
             if facts.family not in OF_BODIES
             or self.severities.get(facts.code, facts.severity) is Severity.ERROR
         )
-        return Dispatch(self.index, self._active._replace(facts=kept))
+        return Dispatch(self.index, self._active._replace(facts=kept), self.pause)
 
     def groups_of(self, document: Document) -> Iterator[tuple[Subjects, list[RuleFacts]]]:
         """Those of the groups that a document can have subjects for, by its kind and the names in it."""
@@ -122,10 +126,12 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
     textual: list[Diagnostic] = []
     found: list[Diagnostic] = []
     for analysis in analyses(document):
+        dispatch.pause()
         explained = explain(analysis(document), document, dispatch)
         (textual if analysis is text_problems else found).extend(explained)
     tables = used_tables(document)
     for subjects, rules in dispatch.groups_of(document):
+        dispatch.pause()
         if seen := subjects.of(document, tables):
             for rule in rules:
                 found += _check(rule, seen, document, dispatch)
@@ -181,6 +187,7 @@ def _check(
     diagnostics: list[Diagnostic] = []
     failure: list[Diagnostic] = []
     extended: list[Diagnostic] = []
+    dispatch.pause()
     try:
         for subject in subjects if is_certain else filter(dispatch.index.condition(facts), subjects):
             found = extended if is_extension(subject, document) else diagnostics

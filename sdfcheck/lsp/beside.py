@@ -437,7 +437,8 @@ class Beside:
             shown.note = "The text is closed; this is the last robot."
             return
         try:
-            robot = robot_of(self.workspace, buffer, shown.arguments)
+            with self.workspace.looking_at(buffer.path):
+                robot = robot_of(self.workspace, buffer, shown.arguments)
             fault = _fault(robot)
             if fault and shown.robot is not None:
                 shown.note = f"{fault}; this is the robot from before."

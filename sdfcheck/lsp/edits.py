@@ -14,10 +14,11 @@ from lsprotocol import types
 
 from sdfcheck.convert.loss import NotConvertible, to_diagnostic
 from sdfcheck.formats.describe import spot
+from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.lint.fix import TextEdit
 from sdfcheck.lsp.actions import canonical_edits, converted, expanded_text, extractions, keeps_expansion
 from sdfcheck.lsp.cursor import Part, at, elements
-from sdfcheck.lsp.hover import Signature, names_around, signature, version_of
+from sdfcheck.lsp.hover import Signature, names_around, signature
 from sdfcheck.lsp.names import everywhere, occurrences, project_files
 from sdfcheck.lsp.outline import Link, links
 from sdfcheck.lsp.speech import ProtocolTypes, path_of, plain

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-from sdfcheck.formats.sdf.survey import Survey, survey
+from sdfcheck.formats.sdf.survey import Noted, Survey, noted_in, notes
+from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Origin
 from sdfcheck.lint.engine import Dispatch, explain, lint_document
 from sdfcheck.lint.fold import without_repeats
@@ -32,12 +32,15 @@ if TYPE_CHECKING:
 # The first look at a world after an edit: at the model that has changed; what is known of the rest stays.
 
 
+T = TypeVar("T")
+
+
 class Look(NamedTuple):
-    """A look at all of a long world: its text, its tree with the names in it, and what was found."""
+    """A look at all of a long world: its text, its tree, what is known of its elements, and what was found."""
 
     source: Source
     root: Element
-    named: Mapping[Element, list[tuple[str, str, Element]]]
+    noted: Noted
     found: tuple[Diagnostic, ...]
 
 
@@ -47,7 +50,7 @@ def look(buffer: Buffer, found: tuple[Diagnostic, ...], last: Look | None) -> Lo
     if document is None or document.kind is not Kind.SDF or len(document.source.text) < LONG:
         return None
     if document.is_wellformed and document.root is not None:
-        return Look(document.source, document.root, survey(document).named, found)
+        return Look(document.source, document.root, notes(document), found)
     return None if last is None else last._replace(source=document.source, found=found)
 
 
@@ -159,10 +162,12 @@ class _Part(Document):
 
     def _parse(self) -> None:
         whole, self.root, surveyed = self._taken
-        self._scan, self.elements = whole.scan, whole.elements
+        self._scan, self.elements, self.is_wellformed = whole.scan, whole.elements, True
         self.names, self.declared = whole.names, whole.declared
         if surveyed is not None:
             self._views[Survey] = surveyed
+            if Survey not in whole._views:
+                whole._views[noted_in] = surveyed.noted  # parts ask their own document
 
 
 def _part(whole: Document, units: list[Element], last: Look) -> Document:
@@ -172,16 +177,28 @@ def _part(whole: Document, units: list[Element], last: Look) -> Document:
     inner = Element(world.name, world.attributes, outer, whole, world.index)
     outer.nodes, inner.nodes = [inner], [*units]
     surveyed = Survey(_Part(whole, outer))
-    named = defaultdict(list, last.named)
-    for element in chain.from_iterable(unit.walk() for unit in units):
-        named.pop(element, None)
-    others = [each for each in named[world] if each[2] not in units and each[2].document is whole]
-    named |= surveyed.named
-    named[world] = sorted([*others, *named.pop(inner, ())], key=lambda each: each[2].index)
-    surveyed.named = named
+    surveyed.noted = _noted(last.noted, surveyed.noted, units)
+    named = surveyed.noted.named
+    beside = (each for each in named.get(world, ()) if each[2].document is whole and each[2] not in units)
+    named[world] = sorted([*beside, *named.pop(inner, ())], key=lambda each: each[2].index)
     surveyed.index.pop(root.name, None)
     surveyed.index.pop(world.name, None)
     return _Part(whole, root, surveyed)
+
+
+def _noted(before: Noted, own: Noted, units: list[Element]) -> Noted:
+    """The notes about the elements of a world: of some parts their ``own``, of the others those from before."""
+    seen = set(chain.from_iterable(unit.walk() for unit in units))
+
+    def joined(known: Mapping[Element, T], new: Mapping[Element, T]) -> dict[Element, T]:
+        return {**{each: note for each, note in known.items() if each not in seen}, **new}
+
+    return Noted(
+        joined(before.named, own.named),
+        joined(before.displaced, own.displaced),
+        joined(before.replaced, own.replaced),
+        {*(each for each in before.misspelled if each[0] not in seen), *own.misspelled},
+    )
 
 
 class _Foreign(NamedTuple):
@@ -275,6 +292,8 @@ class Findings:
         """Look at an open text, and at what it includes for the first time; at the same text once."""
         key, state = self._state(buffer)
         if self._looked.get(key) != state:
+            if self._last(buffer) is not None and buffer.made is not None:
+                buffer.made.forget_views(())  # what is known may be of a part
             self._lint(buffer.path, buffer.data, buffer)
             self._looked[key], robot = state, self._robots.get(key)
             if robot is not None and robot.source is buffer.source:
@@ -330,15 +349,22 @@ class Findings:
             self._by_root[key] = ()
             return
         self._loosen(key)
+        with workspace.looking_at(path):
+            self._by_root[key] = self._found_in(path, data, buffer, settings, variants=variants)
+            self._lint_included(path)
+
+    def _found_in(
+        self, path: Path, data: bytes, buffer: Buffer | None, settings: Settings, *, variants: bool
+    ) -> tuple[Diagnostic, ...]:
+        workspace = self.workspace
         kind = buffer.kind if buffer is not None else sniff(data[:HEAD], path)
         try:
             file = Selected(path, data, kind)
             found, _ = lint_file(file, workspace.book, settings, workspace.caches, variants=variants)
         except WrongUsage as error:  # a selector that names no rule
             workspace.fault = str(error)
-            found = ()
-        self._by_root[key] = tuple(found)
-        self._lint_included(path)
+            return ()
+        return tuple(found)
 
     def _lint_included(self, path: Path) -> None:
         workspace = self.workspace

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from sdfcheck.formats import plugins
 from sdfcheck.formats.describe import HOW_OFTEN, Description, Spot, describe_custom, spot, summary
+from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.vendor import known_tables
-from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.lint.diagnostic import Diagnostic
 from sdfcheck.lsp.context import Context, Where, context, without_conditions
 from sdfcheck.lsp.cursor import Cursor, at
@@ -457,11 +457,6 @@ def names_around(element: Element) -> list[str]:
         element = parent
         names.append(element.name)
     return names[::-1]
-
-
-def version_of(document: Document) -> Version:
-    """The version of SDFormat as which a document is read."""
-    return Version.parse(document.version or "") or NEWEST
 
 
 def spot_of(element: Element) -> Spot | None:

@@ -161,21 +161,27 @@ def pieces(text: str, value: str | None = None) -> list[Piece]:
 
 def roots_of(document: Document) -> list[Document]:
     """The files that are expanded as robots and contain a document: itself, or those that include it."""
+    return list(islice(filter(is_robot, _users_of(document)), MOST_ROOTS))
+
+
+def parts_of(document: Document) -> list[Document]:
+    """Files that contain a document, robots or not: itself, and some of those that include it."""
+    return list(islice(_users_of(document), MOST_ROOTS + 1))
+
+
+def _users_of(document: Document) -> Iterator[Document]:
+    """A document, and the files that include it or one of its users."""
     library = library_of(document)
-    found = [document] if is_robot(document) else []
-    seen = {document.source.real_path}
+    seen: set[str] = set()
     waiting: list[Document | None] = [document]
-    while waiting and len(found) < MOST_ROOTS and library is not None:
+    while waiting:
         one = waiting.pop(0)
-        for path in [] if one is None else includers(one):
-            key = library.disk.real(path)
-            if key not in seen:
-                seen.add(key)
-                other = library.document(path, Kind.XACRO)
-                waiting.append(other)
-                if other is not None and is_robot(other):
-                    found.append(other)
-    return found[:MOST_ROOTS]
+        if one is None or one.source.real_path in seen:
+            continue
+        seen.add(one.source.real_path)
+        yield one
+        if library is not None:
+            waiting += (library.document(path, Kind.XACRO) for path in includers(one))
 
 
 def expansions(
@@ -386,11 +392,8 @@ def known_in(document: Document) -> Known:
 
 
 def _known_in(document: Document) -> Known:
-    library = library_of(document)
-    around: list[Document | None] = [*roots_of(document)]
-    if not around and library is not None:  # a part of a part
-        around += (library.document(path, Kind.XACRO) for path in includers(document)[:MOST_ROOTS])
-    return Known([visible_definitions(each) for each in (document, *filter(None, around))], document)
+    around = roots_of(document) or parts_of(document)[1:]
+    return Known([visible_definitions(each) for each in (document, *around)], document)
 
 
 def is_made(document: Document) -> bool:

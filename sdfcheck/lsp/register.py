@@ -17,7 +17,7 @@ from sdfcheck.lsp.rename import Refused
 from sdfcheck.lsp.server import Server
 from sdfcheck.lsp.speech import path_of, plain
 from sdfcheck.lsp.watch import FileWatch
-from sdfcheck.lsp.worker import ANSWER, OVERVIEW
+from sdfcheck.lsp.worker import ANSWER, LINT, OUTLINE, OVERVIEW
 from sdfcheck.lsp.workspace import Buffer
 from sdfcheck.source.record import NamedTuple
 
@@ -122,6 +122,7 @@ def _diagnostics(server: Server, answers: Answers) -> None:
         answers.actions,
         types.CodeActionOptions(code_action_kinds=kinds, resolve_provider=True),
         otherwise=[],
+        urgency=LINT,
     )
 
     @server.feature(types.CODE_ACTION_RESOLVE)
@@ -151,8 +152,8 @@ def _knowledge(server: Server, answers: Answers) -> None:
     triggers = types.CompletionOptions(trigger_characters=["<", '"', "'", ":", "/", " ", "$", "{", ">"])
     _answer(server, types.TEXT_DOCUMENT_HOVER, answers.hover)
     _answer(server, types.TEXT_DOCUMENT_COMPLETION, answers.completion, triggers)
+    _answer(server, types.TEXT_DOCUMENT_DOCUMENT_SYMBOL, answers.symbols, otherwise=[], urgency=OUTLINE)
     for feature, answer in (
-        (types.TEXT_DOCUMENT_DOCUMENT_SYMBOL, answers.symbols),
         (types.TEXT_DOCUMENT_FOLDING_RANGE, answers.folds),
         (types.TEXT_DOCUMENT_DOCUMENT_LINK, answers.links),
     ):

@@ -21,6 +21,7 @@ from sdfcheck.lsp.names import (
     is_made,
     names_at,
     occurrences,
+    parts_of,
     pieces,
     place_of,
     robots_about,
@@ -271,7 +272,7 @@ class Spread:
 
     def _elements(self) -> Iterator[tuple[Element, Element | None]]:
         seen: set[str] = set()
-        for root in _unique([*self.roots, self.document]):
+        for root in _unique([*self.roots, *parts_of(self.document)]):
             for read in visible_definitions(root).readings:
                 if read.document.source.real_path not in seen:
                     seen.add(read.document.source.real_path)
@@ -496,12 +497,27 @@ def rename(workspace: Workspace, document: Document, target: Target, name: str) 
     if name == target.shown:
         return []
     spread = Spread(workspace, document)
+    home = None if spread.roots or piece != span else _home(workspace, document, named)
+    if home is not None:
+        edits = rename(workspace, home[0], Target(home[1], home[1].span), name)
+        if any(place_of(each.span) == place_of(span) for each in edits):
+            return edits
     if symbol.kind in IN_XACRO or not spread.is_needed({symbol.name}):
         edits = _everywhere(workspace, document, symbol, name)
         spread.prove(edits, {symbol.name: name} if symbol.kind == "argument" else {})
         return edits
     text = span.text[: piece.start - span.start] + name + span.text[piece.end - span.start :]
     return spread.renamed(named, text)
+
+
+def _home(workspace: Workspace, document: Document, named: Occurrence) -> tuple[Document, Occurrence] | None:
+    """The file that defines a name of another one, and the definition, if it is written as the name is."""
+    place = named.symbol.span
+    home = None if named.is_definition else workspace.document(place.source.path)
+    if home is None or place.source.real_path == document.source.real_path:
+        return None
+    found = next((each for each in occurrences(home).around(place.start) if each.is_definition), None)
+    return (home, found) if found is not None and found.span.text == named.span.text else None
 
 
 def _everywhere(workspace: Workspace, document: Document, symbol: Symbol, name: str) -> list[TextEdit]:

@@ -36,7 +36,7 @@ from sdfcheck.lsp.hover import hover
 from sdfcheck.lsp.names import occurrences
 from sdfcheck.lsp.speech import NAME, ProtocolTypes, Units, Written, changed, path_of
 from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Schedule, Worker
-from sdfcheck.lsp.workspace import Buffer, Choices, LiveCaches, Workspace
+from sdfcheck.lsp.workspace import Buffer, Choices, LiveCaches, Outdated, Workspace
 from sdfcheck.release import __version__
 from sdfcheck.source.errors import REPORT_IT, WrongUsage
 from sdfcheck.source.record import NamedTuple
@@ -133,7 +133,7 @@ class Sweep:
             self.rest()
             workspace = self.workspace
             self._caches = LiveCaches(
-                workspace.buffers, expand=workspace.choices.expand, named=workspace.folders
+                workspace.buffers, workspace.aside, expand=workspace.choices.expand, named=workspace.folders
             )
             self._generation = self.workspace.generation
         return self._caches
@@ -228,7 +228,7 @@ class Server(LanguageServer):
     def __init__(self) -> None:
         super().__init__(NAME, __version__, protocol_cls=Protocol)
         self.worker = Worker()
-        self.robots = Workspace()
+        self.robots = Workspace(self.worker)
         self.findings = Findings(self.robots)
         self.speech = ProtocolTypes(self.robots)
         self.sweep = Sweep(self.robots)
@@ -256,8 +256,15 @@ class Server(LanguageServer):
 
     async def work(self, job: Callable[[], T], otherwise: T, urgency: int = ANSWER) -> T:
         """The result of a job on documents; where it fails, that is reported, and the session goes on."""
+
+        def current() -> T:
+            try:
+                return job()
+            except Outdated:  # and all that it holds, which is much
+                return otherwise
+
         try:
-            return await self.worker.run(job, urgency)
+            return await self.worker.run(current, urgency)
         except Exception as error:
             self.report(error)
             return otherwise
@@ -267,7 +274,10 @@ class Server(LanguageServer):
 
         def job() -> T:
             buffer = self.robots.buffers.get(self.robots.key(path_of(uri)))
-            return otherwise if buffer is None else answer(buffer)
+            if buffer is None:
+                return otherwise
+            with self.robots.looking_at(buffer.path):
+                return answer(buffer)
 
         return await self.work(job, otherwise, urgency)
 
@@ -410,8 +420,11 @@ class Server(LanguageServer):
         document, text = self.robots.document(buffer.path), buffer.source.text
         if document is None:
             return
-        at(document, len(text))
-        names = occurrences(document).all
+        with self.robots.looking_at(buffer.path):
+            at(document, len(text))
+            self.robots.pause()
+            names = occurrences(document).all
+            self.robots.pause()
         buffer.checkpoints.around(text, len(text))
         if names and not self._is_primed:
             hover(document, names[0].span.start)
@@ -496,13 +509,14 @@ class Server(LanguageServer):
         """The diagnostics of an open text, as it is now."""
 
         def answer(buffer: Buffer) -> list[types.Diagnostic]:
-            if not (self._may_refresh and self.findings.glance(buffer)):
-                self.findings.lint(buffer)
+            with suppress(Outdated):  # what is left is asked for again
+                if not (self._may_refresh and self.findings.glance(buffer)):
+                    self.findings.lint(buffer)
             return list(map(self.speech.diagnostic, self.findings.at(buffer.path)))
 
         number = self._edits.get(self.open.get(uri, ""))
         nothing: list[types.Diagnostic] = []
-        found = await self.ask(uri, answer, nothing)
+        found = await self.ask(uri, answer, nothing, LINT)
         self._pulled[uri] = number, found
         return found
 

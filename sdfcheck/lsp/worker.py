@@ -1,4 +1,4 @@
-"""One thread that does all work on documents: when to lint, and one job at a time, answers first."""
+"""One thread that does all work on documents: when to lint, and which job comes first."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import heapq
 import threading
 import time
 from collections.abc import Awaitable, Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from itertools import count
 from typing import Any, TypeVar
@@ -16,7 +17,9 @@ from typing import Any, TypeVar
 # When to lint: soon after a change, never twice at once, and not for what has changed again.
 
 LONGEST = 0.02
-"""The longest wait after a keystroke, in s; a text that is linted in no time waits for nothing."""
+"""The longest wait after a keystroke, in s; a text that is linted in no time waits for nothing, and one that
+was opened for the questions that come with it.
+"""
 _QUICK = 0.04
 
 
@@ -39,7 +42,7 @@ class Schedule:
         timer = self._timers.pop(key, None)
         if timer is not None:
             timer.cancel()
-        took = self._took.get(key, 0.0)
+        took = self._took.get(key, _QUICK)
         wait = 0.0 if took < _QUICK else min(self._longest, took / 2)
         self._timers[key] = asyncio.get_running_loop().call_later(wait, self._begin, key)
 
@@ -71,8 +74,8 @@ class Schedule:
 
 T = TypeVar("T")
 
-ANSWER, LINT, OVERVIEW, SURVEY = range(4)
-"""The order of work: answers that somebody waits for, diagnostics of open files, hints beside a
+ANSWER, OUTLINE, LINT, OVERVIEW, SURVEY = range(5)
+"""The order of work: answers that somebody waits for, outlines, diagnostics of open files, hints beside a
 text, diagnostics of files that include it.
 """
 
@@ -85,18 +88,39 @@ _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], 
 """Urgency, number, the work, and what takes its result or its exception."""
 
 
+_THRESHOLD, _ARENAS = -3, -8
+"""Settings of glibc: from which size on memory goes back to the system at once, and how many heaps there are."""
+
+
+def keep_memory_small() -> None:
+    """Let long texts give their memory back, whichever thread made them; to be called before there are threads."""
+    _ask_glibc("mallopt", _THRESHOLD, 1 << 17)
+    _ask_glibc("mallopt", _ARENAS, 1)
+
+
 def _give_back() -> None:
-    """Collect garbage, and give free memory back to the system where its library can (glibc)."""
+    """Collect garbage, and give free memory back to the system."""
     gc.collect()
+    _ask_glibc("malloc_trim", 0)
+
+
+def _ask_glibc(function: str, *values: int) -> None:
+    """Call a function of the system's library, if it has that."""
     with suppress(AttributeError, OSError, TypeError):
-        ctypes.CDLL(None).malloc_trim(0)
+        getattr(ctypes.CDLL(None), function)(*values)
 
 
 class Worker:
-    """Runs jobs for an event loop; what belongs to documents is never touched by two threads."""
+    """Runs jobs for an event loop; what belongs to documents is never touched by two threads.
+
+    A job gives way to answers between its portions, and while it waits; two lints are never under way.
+    """
 
     def __init__(self) -> None:
         self._jobs: list[_Job] = []
+        self._urgency = ANSWER
+        """Of the job under way."""
+        self._beside = ThreadPoolExecutor(1, "beside")
         self._number = count()
         self._news = threading.Condition()
         self._is_closed = False
@@ -128,6 +152,35 @@ class Worker:
             self._news.notify()
         return await future
 
+    def give_way(self) -> None:
+        """Do what somebody waits for more than for the job under way, which calls this between its portions."""
+        while True:
+            with self._news:
+                if not self.is_waited_for:
+                    return
+                job = heapq.heappop(self._jobs)
+            self._do(job)
+
+    def aside(self, call: Callable[[], T], pause: Callable[[], None]) -> T:
+        """The result of what has nothing to do with documents; meanwhile the job under way pauses."""
+        future = self._beside.submit(call)
+        future.add_done_callback(self._wake)
+        while not (future.done() or self._is_closed):
+            pause()
+            with self._news:
+                self._news.wait_for(lambda: future.done() or self._is_closed or self.is_waited_for)
+        return future.result()
+
+    def _wake(self, _: object) -> None:
+        with self._news:
+            self._news.notify_all()
+
+    @property
+    def is_waited_for(self) -> bool:
+        """Is there something more urgent than the job under way, and no lint?"""
+        jobs = self._jobs
+        return bool(jobs) and jobs[0][0] < min(self._urgency, LINT) and not self._is_closed
+
     def close(self) -> None:
         """End after the job that is being done."""
         with self._news:
@@ -144,15 +197,20 @@ class Worker:
                         done_since = 0
                 if self._is_closed:
                     return
-                *_, work, done = heapq.heappop(self._jobs)
-            try:
-                value = work()
-            except BaseException as error:
-                done(None, error)
-            else:
-                done(value, None)
-            del work, done
+                job = heapq.heappop(self._jobs)
+            self._do(job)
+            del job
             done_since += 1
             if done_since >= MANY:
                 _give_back()
                 done_since = 0
+
+    def _do(self, job: _Job) -> None:
+        outer, (self._urgency, _, work, done) = self._urgency, job
+        try:
+            value = work()
+        except BaseException as error:
+            done(None, error)
+        else:
+            done(value, None)
+        self._urgency = outer

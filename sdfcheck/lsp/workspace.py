@@ -6,11 +6,14 @@ import os
 import re
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
+from typing import Any, TypeVar
 
 from sdfcheck.files.discover import discover
 from sdfcheck.files.library import Disk, Library, SearchPaths
+from sdfcheck.files.packages import Packages
 from sdfcheck.files.regular import SIZE_LIMIT, read_regular
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import UNSET, Settings
@@ -19,6 +22,7 @@ from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.run import RuleFacts
 from sdfcheck.lint.select import check_targets, covered
 from sdfcheck.lsp.context import Checkpoints
+from sdfcheck.lsp.worker import Worker
 from sdfcheck.lsp.xacro_names import Own
 from sdfcheck.source.decode import DEPTH_LIMIT
 from sdfcheck.source.document import Aside, Document, Element, fill
@@ -34,6 +38,7 @@ from sdfcheck.xacro.static.definitions import Reading, is_robot
 # are.
 
 
+T = TypeVar("T")
 LONG = 50_000
 """Shorter texts are read in no time, and so is an element of such a length at most."""
 _KINDS = frozenset({Kind.SDF, Kind.URDF})
@@ -360,14 +365,19 @@ def _is_library(document: Document) -> bool:
     return document.kind is Kind.XACRO and not is_robot(document)
 
 
+Meanwhile = Callable[[Callable[[], Mapping[str, Any]]], Mapping[str, Any]]
+"""Waits for the result of what has nothing to do with documents."""
+
+
 class LiveCaches(Caches):
     """Libraries and expanders that know the open texts."""
 
-    __slots__ = ("_buffers",)
+    __slots__ = ("_aside", "_buffers")
 
-    def __init__(self, buffers: Buffers, *, expand: bool, named: tuple[Path, ...]) -> None:
+    def __init__(self, buffers: Buffers, aside: Meanwhile, *, expand: bool, named: tuple[Path, ...]) -> None:
         super().__init__(expand=expand, named=named)
         self._buffers = buffers
+        self._aside = aside
 
     def library(self, settings: Settings) -> LiveLibrary:
         search = settings.search._replace(named=self._named)
@@ -408,7 +418,7 @@ class LiveCaches(Caches):
             expander.tidy()
 
     def _expander(self, surroundings: Surroundings) -> Expander:
-        return LiveExpander(surroundings)
+        return LiveExpander(surroundings, self._aside)
 
     def _surroundings(self, settings: Settings) -> Surroundings:
         return super()._surroundings(settings)._replace(texts=_Texts(self._buffers))
@@ -429,8 +439,9 @@ _Request = tuple[str, tuple[tuple[str, str], ...], bool]
 class LiveExpander(Expander):
     """Remembers its last expansions, which diagnostics and names both ask for."""
 
-    def __init__(self, surroundings: Surroundings) -> None:
+    def __init__(self, surroundings: Surroundings, aside: Meanwhile) -> None:
         super().__init__(surroundings)
+        self._aside = aside
         self._known: dict[_Request, _Known] = {}
         self._dropped: list[Expansion] = []
 
@@ -486,6 +497,9 @@ class LiveExpander(Expander):
 
     def _request(self, document: Document, arguments: Mapping[str, str] | None, is_partial: bool) -> _Request:
         return os.path.abspath(document.path), tuple(sorted((arguments or {}).items())), is_partial
+
+    def _ask(self, packages: Packages, **wanted: Any) -> Mapping[str, Any]:
+        return self._aside(lambda: super(LiveExpander, self)._ask(packages, **wanted))
 
     def _expand(
         self, document: Document, arguments: Mapping[str, str] | None, *, is_partial: bool
@@ -547,10 +561,19 @@ def _fault(setting: str, word: str, rules: tuple[RuleFacts, ...]) -> str:
     return ""
 
 
-class Workspace:
-    """The open texts with their settings, rules and libraries; everything here belongs to one thread."""
+class Outdated(Exception):
+    """The text that is looked at has changed meanwhile."""
 
-    def __init__(self) -> None:
+
+class Workspace:
+    """The open texts with their settings, rules and libraries; everything here belongs to one thread.
+
+    Between the portions of its work a ``worker`` gives answers.
+    """
+
+    def __init__(self, worker: Worker | None = None) -> None:
+        self._worker = worker
+        self._looked_at: Path | None = None
         self.folders: tuple[Path, ...] = ()
         self.buffers: Buffers = {}
         self._disk = Disk()
@@ -571,8 +594,8 @@ class Workspace:
         self.configuration = self._configuration()
         self.fault, given = self._without_faults(choices)
         self.configuration = self.configuration.with_given(given)
-        self.book = RuleBook()
-        self.caches = LiveCaches(self.buffers, expand=choices.expand, named=self.folders)
+        self.book = RuleBook(self.pause)
+        self.caches = LiveCaches(self.buffers, self.aside, expand=choices.expand, named=self.folders)
         self.forget()
 
     def _without_faults(self, choices: Choices) -> tuple[str, Settings]:
@@ -617,6 +640,42 @@ class Workspace:
     def close(self) -> None:
         """End what expands xacro."""
         self.caches.close()
+
+    @contextmanager
+    def looking_at(self, path: Path) -> Iterator[None]:
+        """A time in which the text of a file must stay as it is."""
+        outer, self._looked_at = self._looked_at, path
+        try:
+            yield
+        except Outdated:
+            self.caches.tidy()
+            for buffer in self.buffers.values():
+                buffer.tidy()
+            raise
+        finally:
+            self._looked_at = outer
+
+    def pause(self) -> None:
+        """Let answers have their turn.
+
+        Raises:
+            Outdated: what is looked at has changed in theirs.
+        """
+        if self._worker is not None and self._worker.is_waited_for:
+            before = self._state
+            self._worker.give_way()
+            if self._state != before:
+                raise Outdated
+
+    def aside(self, call: Callable[[], T]) -> T:
+        """The result of what has nothing to do with documents; answers have their turn meanwhile."""
+        return call() if self._worker is None else self._worker.aside(call, self.pause)
+
+    @property
+    def _state(self) -> tuple[int, Source | None]:
+        """The state that all knowledge of the file that is looked at depends on."""
+        buffer = None if self._looked_at is None else self.buffers.get(self.key(self._looked_at))
+        return self.generation, None if buffer is None else buffer.source
 
     # Texts
 

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
 from sdfcheck.files.library import digest_of, library_of
 from sdfcheck.formats.schema import AttributeDefinition, Definition
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot import solids
 from sdfcheck.robot.motion.origin import UNTURNED, Origin, numbers_of, origin_in, pose_in
@@ -751,7 +751,7 @@ class Axis(Part):
         """
         xyz = self.find("xyz") if not self.is_urdf else None
         written = xyz.attributes.get("expressed_in", "").strip() if xyz is not None else ""
-        if written or self.is_urdf or (version := survey(self.document).version) >= _SEVEN:
+        if written or self.is_urdf or (version := version_of(self.document)) >= _SEVEN:
             return written
         flag = self.find("use_parent_model_frame")
         return MODEL_FRAME if version < _FIVE or (flag is not None and is_true(flag.content)) else ""

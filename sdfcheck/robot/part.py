@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, cast, overload
 
 from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.sdf.survey import survey
+from sdfcheck.formats.sdf.survey import notes, version_of
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.robot.naming.name import MODEL_FRAME, NODES, WORLD_FRAME
 from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, reference_of
@@ -100,10 +100,10 @@ def _definition(element: Element) -> Definition | None:
     while (parent := at.parent) is not None and parent.name != "gazebo":
         names.insert(0, at.name)
         at = parent
-    definition: Definition | None = schema(survey(element.document).version).root
+    definition: Definition | None = schema(version_of(element.document)).root
     if at.name != "sdf":  # in a <gazebo> block of URDF
         names.insert(0, at.name)
-        definition = schema(survey(element.document).version).at(f"{names[0]}:{names[0]}")
+        definition = schema(version_of(element.document)).at(f"{names[0]}:{names[0]}")
         names = names[1:]
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
@@ -243,7 +243,7 @@ class Part:
 
             return misspells(self.element, name)
 
-        return (self.element, name) in survey(self.document).misspelled
+        return (self.element, name) in notes(self.document).misspelled
 
     def find(self, name: str) -> Element | None:
         """The first child element of that name, prefix included."""
@@ -479,11 +479,11 @@ class Whole(Part):
     @property
     def named(self) -> Mapping[Element, list[tuple[str, str, Element]]]:
         """Element of SDFormat → its children that have a name: kind, name and element."""
-        return survey(self.document).named
+        return notes(self.document).named
 
     def is_older_than(self, version: str) -> bool:
         """Does it declare a version of SDFormat before this one?"""
-        return not self.is_urdf and survey(self.document).version < (Version.parse(version) or NEWEST)
+        return not self.is_urdf and version_of(self.document) < (Version.parse(version) or NEWEST)
 
     # Nodes
 
@@ -561,12 +561,12 @@ class Custom(Part):
             from sdfcheck.formats.urdf.survey import survey as urdf_survey
 
             return urdf_survey(self.document).displaced.get(self.element, ())
-        return survey(self.document).displaced.get(self.element, ())
+        return notes(self.document).displaced.get(self.element, ())
 
     @property
     def replaced(self) -> tuple[str, ...]:
         """The names of required elements that are absent beside it, and that it seems to replace."""
-        return () if self.is_attribute else tuple(survey(self.document).replaced.get(self.element, ()))
+        return () if self.is_attribute else tuple(notes(self.document).replaced.get(self.element, ()))
 
     @property
     def text(self) -> str:
@@ -1056,7 +1056,7 @@ class Namespace(Node):
             if kind in NODES and (name := name.strip()):
                 self._take(source, nodes, name, child)
 
-        if survey(source.document).index.get("include"):
+        if "include" in source.document.names:
             from sdfcheck.robot.includes.included import included
 
             for include in source.element.children("include"):
@@ -1096,9 +1096,8 @@ class Namespace(Node):
 
 def _named_children(source: Namespace) -> Iterable[Child]:
     """The named parts of a world or model."""
-    surveyed = survey(source.document)
-    children: Iterable[Child] = surveyed.named.get(source.element, ())
-    return _without_clashes(children) if surveyed.version < _SEVEN else children
+    children: Iterable[Child] = notes(source.document).named.get(source.element, ())
+    return _without_clashes(children) if version_of(source.document) < _SEVEN else children
 
 
 def _without_clashes(children: Iterable[Child]) -> Iterable[Child]:

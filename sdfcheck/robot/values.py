@@ -215,9 +215,9 @@ def reference_value(pose: Element | None) -> Value | None:
         return None
     old = pose.attribute("frame")
     if old is not None:
-        from sdfcheck.formats.sdf.survey import survey
+        from sdfcheck.formats.sdf.survey import version_of
         from sdfcheck.formats.version import Version
 
-        if survey(pose.document).version < Version(1, 7):
+        if version_of(pose.document) < Version(1, 7):
             return old
     return pose.attribute("relative_to")

@@ -998,7 +998,7 @@ class _Known:
 
 def tags(document: Document, tables: Iterable[Path]) -> Iterator[VendorTag]:
     """The tags of some vendors in an SDF or URDF document."""
-    if document.kind not in {Kind.SDF, Kind.URDF} or "<xacro:" in document.source.text:
+    if document.kind not in {Kind.SDF, Kind.URDF} or document.source.contains("<xacro:"):
         return
     for table in tables:
         yield from document.view(_Known).of(table).all

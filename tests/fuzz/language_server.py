@@ -49,8 +49,8 @@ class LanguageServer:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
         )
         self._number = 0
-        self.received = 0.0
-        """When the last message was there, before it was decoded; of ``time.perf_counter``."""
+        self.received = self.spent = 0.0
+        """When the last message was there, before it was decoded, of ``time.perf_counter``; ``computed`` then."""
         self.end = ""
         """Why the process was ended from outside."""
         self._complaints: list[str] = []
@@ -116,7 +116,7 @@ class LanguageServer:
             elif not line:
                 raise Ended
         data = self.process.stdout.read(length)
-        self.received = time.perf_counter()
+        self.received, self.spent = time.perf_counter(), self.computed
         message: dict[str, Any] = json.loads(data)
         return message
 

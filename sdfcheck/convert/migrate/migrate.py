@@ -38,7 +38,7 @@ from sdfcheck.convert.migrate.up import go_up
 from sdfcheck.convert.result import Comparison, Conversion, conversion, read_result, with_text
 from sdfcheck.convert.settings_tree import Contents, of_model, of_world
 from sdfcheck.convert.writer import render
-from sdfcheck.formats.sdf.survey import PARAMETERS, survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, version_of
 from sdfcheck.formats.version import VERSIONS, Version
 from sdfcheck.robot.graph import Model, Scope, World
 from sdfcheck.robot.includes.included import included
@@ -188,7 +188,7 @@ def report_newer_files(migration: Migration) -> None:
         other = found.document
         if other is None or other.kind is not Kind.SDF or other.root is None or include.place is None:
             continue
-        version = survey(other).version
+        version = version_of(other)
         if not version > migration.target:
             continue
         uri = found.uri.text.strip() if found.uri is not None else ""

@@ -54,7 +54,7 @@ def sensor_problems(surveyed: Survey) -> Iterator[object]:
         expected = SETTINGS.get(kind.text.strip()) if kind is not None else None
         if kind is None or expected is None:
             continue
-        if any((sensor, name) in surveyed.misspelled for name in expected):
+        if any((sensor, name) in surveyed.noted.misspelled for name in expected):
             continue
         if len(expected) > 1:
             yield from _renamed(surveyed, sensor, expected)

@@ -104,7 +104,7 @@ def _is_in(element: Element, parent: str) -> bool:
 def _lights(surveyed: Survey) -> Iterator[object]:
     """Up to 1.5 a light needed no name; all consumers now ask for one."""
     for light in surveyed.index.get("light", ()):
-        given = "name" in light.attributes or (light, "name") in surveyed.misspelled
+        given = "name" in light.attributes or (light, "name") in surveyed.noted.misspelled
         if surveyed.version < _SIX and not given and not _is_state(light):
             yield problems.MissingAttribute(light, "name", empty=False)
 
@@ -128,14 +128,14 @@ def _planes(surveyed: Survey) -> Iterator[object]:
 
 def _has(surveyed: Survey, element: Element, name: str) -> bool:
     """Has an element a child of a name, perhaps misspelled?"""
-    return element.has(name) or (element, name) in surveyed.misspelled
+    return element.has(name) or (element, name) in surveyed.noted.misspelled
 
 
 def _inertials(surveyed: Survey) -> Iterator[object]:
     """Moments that belong to no mass: the default of one kilogram was not meant."""
     massive, turning = _parents(surveyed, "mass"), _parents(surveyed, "inertia")
     for inertial in surveyed.index.get("inertial", ()):
-        given = inertial in massive or (inertial, "mass") in surveyed.misspelled
+        given = inertial in massive or (inertial, "mass") in surveyed.noted.misspelled
         if not given and inertial in turning and not _is_static(inertial):
             yield problems.MissingElement(inertial, "mass", "1")
 

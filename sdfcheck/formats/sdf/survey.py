@@ -13,6 +13,7 @@ from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.formats.walk import Walk
 from sdfcheck.source.document import Document, Element
+from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
@@ -25,52 +26,45 @@ PARAMETERS = "experimental:params"
 _ADDING = frozenset(("add", "replace"))
 
 
+class Noted(NamedTuple):
+    """The notes of the walk about single elements."""
+
+    named: dict[Element, list[tuple[str, str, Element]]]
+    """Parent → its children that have a ``name``: element name, value of ``name``, element."""
+    displaced: dict[Element, tuple[Displaced, ...]]
+    """Custom elements → the standard ones in them that could be beside them."""
+    replaced: dict[Element, list[str]]
+    """Custom elements → the required ones that are absent where they are given."""
+    misspelled: set[tuple[Element, str]]
+    """Parts that elements lack only because a child or attribute of theirs is misspelled."""
+
+
 class Survey:
     """The results of the walk.
 
     ``index`` lists the standard elements by name, in document order: those that are where the table
-    places them, so nothing inside plugins or custom elements. ``named`` lists, per parent, its
-    children that have a ``name``.
+    places them, so nothing inside plugins or custom elements.
     """
 
-    __slots__ = (
-        "customs",
-        "displaced",
-        "document",
-        "index",
-        "misspelled",
-        "named",
-        "problems",
-        "replaced",
-        "version",
-    )
+    __slots__ = ("customs", "document", "index", "noted", "problems", "version")
 
     def __init__(self, document: Document) -> None:
         root = document.root
-        is_sdf = root is not None and root.name == "sdf"
         self.document = document
-        self.version = (Version.parse(document.version or "") if is_sdf else None) or NEWEST
-        """The declared version; the newest one where none or an unknown one is declared."""
+        self.version = version_of(document)
         walk = _Walk(document, self.version)
-        self.problems = walk.run(root) if root is not None and is_sdf else walk.extensions()
+        self.problems = walk.run(root) if root is not None and root.name == "sdf" else walk.extensions()
         self.index = walk.index
-        self.named = walk.named
-        """Parent → (element name, value of its ``name``, element)."""
         self.customs: list[Element] = []
         """Custom elements in standard ones, and in what parameters of includes add."""
-        self.displaced: dict[Element, tuple[Displaced, ...]] = {}
-        """Custom elements → the standard ones in them that could be beside them."""
-        self.replaced: dict[Element, list[str]] = {}
-        """Custom elements → the required ones that are absent where they are given."""
+        self.noted = Noted(walk.named, {}, {}, walk.explained.misspelled if walk.explained else set())
         if walk.explained is not None:
             self._take_customs(walk.explained)
-        self.misspelled = walk.explained.misspelled if walk.explained else set()
-        """Parts that elements lack only because a child or attribute of theirs is misspelled."""
 
     def _take_customs(self, found: SdfFindings) -> None:
         self.customs += (custom for custom, _, _ in found.customs)
-        self.displaced.update(found.displaced)
-        self.replaced.update(found.replaced)
+        self.noted.displaced.update(found.displaced)
+        self.noted.replaced.update(found.replaced)
         for custom, _, _ in found.customs:
             for element, definition in _additions(custom) if custom.name == PARAMETERS else ():
                 walk = _Walk(self.document, definition.version)
@@ -102,6 +96,26 @@ def defined_alone(name: str) -> Definition | None:
 def survey(document: Document) -> Survey:
     """The survey of a document, made once."""
     return document.view(Survey)
+
+
+def notes(document: Document) -> Noted:
+    """The survey's notes; where a part of a document is looked at, they are known without it."""
+    return document.view(noted_in)
+
+
+def noted_in(document: Document) -> Noted:
+    """The notes of a survey, which :func:`notes` keeps."""
+    return survey(document).noted
+
+
+def version_of(document: Document) -> Version:
+    """The declared version; the newest one where none or an unknown one is declared."""
+    return document.view(_version)
+
+
+def _version(document: Document) -> Version:
+    is_sdf = document.root is not None and document.root.name == "sdf"
+    return (Version.parse(document.version or "") if is_sdf else None) or NEWEST
 
 
 def problems(document: Document) -> list[object]:

@@ -31,5 +31,5 @@ def known_tables(library: object | None) -> Mapping[str, Path]:
 
 def used_tables(document: Document) -> list[Path]:
     """The tables of the vendors whose prefix a document seems to use."""
-    text = document.source.text
-    return [table for prefix, table in known_tables(document.library).items() if f"{prefix}:" in text]
+    contains = document.source.contains
+    return [table for prefix, table in known_tables(document.library).items() if contains(f"{prefix}:")]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,9 +20,10 @@ if TYPE_CHECKING:
 class RuleBook:
     """The rules of each file, as its settings choose them."""
 
-    __slots__ = ("_active", "_dispatch", "_indexes")
+    __slots__ = ("_active", "_dispatch", "_indexes", "_pause")
 
-    def __init__(self) -> None:
+    def __init__(self, pause: Callable[[], None] = lambda: None) -> None:
+        self._pause = pause
         self._indexes: dict[tuple[str, ...], tuple[RuleIndex, tuple[RuleFacts, ...]]] = {}
         self._active: dict[tuple[Settings, tuple[str, ...]], ActiveRules] = {}
         self._dispatch: dict[tuple[Settings, tuple[str, ...]], Dispatch] = {}
@@ -61,7 +62,9 @@ class RuleBook:
         if key not in self._dispatch:
             from sdfcheck.lint.engine import Dispatch
 
-            self._dispatch[key] = Dispatch(self.index(settings), self.active(settings, path, less))
+            self._dispatch[key] = Dispatch(
+                self.index(settings), self.active(settings, path, less), self._pause
+            )
         return self._dispatch[key]
 
     def _chosen(self, settings: Settings) -> ActiveRules:

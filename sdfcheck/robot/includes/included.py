@@ -21,7 +21,7 @@ from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import MisplacedElement, UnknownAttribute
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import SDF, schema
-from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, survey
+from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, notes, survey, version_of
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.robot.includes.model_config import CONFIG, config_of, model_file
 from sdfcheck.robot.naming.name import Name, Namesakes
@@ -739,7 +739,7 @@ def definition_of(element: Element) -> Definition | None:
         at = at.parent
     document = element.document
     assert isinstance(document, Altered)
-    definition: Definition | None = schema(survey(document.original).version).root
+    definition: Definition | None = schema(version_of(document.original)).root
     for name in names:
         definition = definition.children.get(name) if definition is not None else None
     return history.in_version(definition, NEWEST) if definition is not None else None
@@ -794,7 +794,7 @@ def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
     if model.name == "robot":
         children = [(child.name, child.attributes.get("name", ""), child) for child in model.children()]
     else:
-        children = survey(model.document).named.get(model, [])
+        children = notes(model.document).named.get(model, [])
     for kind, name, child in children:
         if kind in _MOVED and name.strip():
             yield kind, name.strip(), child
@@ -803,7 +803,7 @@ def moved(found: Included) -> Iterator[tuple[str, str, Element]]:
 def _taken(document: Document, parent: Element, group: list[Included]) -> _Taken:
     """The names that the parent gives itself, and those of the models that it includes whole."""
     taken: _Taken = {}
-    for kind, name, child in survey(document).named.get(parent, ()):
+    for kind, name, child in notes(document).named.get(parent, ()):
         if kind != "plugin":
             taken.setdefault(name.strip(), Name(kind, name.strip(), Value(child, "name", name), parent))
     for found in group:

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from sdfcheck.formats.sdf.survey import Survey, survey
+from sdfcheck.formats.sdf.survey import Survey, notes, survey
 from sdfcheck.robot.graph import UNCONVERTED
 from sdfcheck.robot.naming.name import Name, Namesakes
 from sdfcheck.robot.values import lazy
@@ -34,7 +34,7 @@ _MERGED = frozenset({"plugin", "visual", "collision"})
 def extension_names(root: Whole) -> dict[Element, list[Name]]:
     """Element → the names that the blocks add to it; an element in a block, or what the block is about."""
     found: dict[Element, list[Name]] = {}
-    for parent, children in survey(root.document).named.items():
+    for parent, children in notes(root.document).named.items():
         at, free = parent, frozenset({"plugin"})
         if parent.name == "gazebo":
             at, free = _subject(root, parent), _MERGED

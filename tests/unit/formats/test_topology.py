@@ -23,7 +23,7 @@ def surveyed(text: str) -> Survey:
 
 def displaced(text: str) -> list[tuple[str, list[str]]]:
     """Custom elements and the titles of the standard ones in them that could be beside them."""
-    found = surveyed(text).displaced
+    found = surveyed(text).noted.displaced
     return [(custom.name, [each.element.title for each in elements]) for custom, elements in found.items()]
 
 
@@ -44,7 +44,7 @@ def displaced(text: str) -> list[tuple[str, list[str]]]:
     ],
 )
 def test_a_wrapped_standard_element(scaffold: str, inner: str, name: str) -> None:
-    found = surveyed(scaffold.replace("{}", f"<p:group>{inner}</p:group>")).displaced
+    found = surveyed(scaffold.replace("{}", f"<p:group>{inner}</p:group>")).noted.displaced
     ((custom, ((element, is_needed),)),) = found.items()
     assert is_needed
     assert (element.name, custom.name) == (name, "p:group")
@@ -68,7 +68,7 @@ AXIS = '<joint name="j" type="revolute"><parent>world</parent><child>base</child
 )
 def test_a_wrapped_setting(scaffold: str, name: str, inner: str, is_needed: bool) -> None:
     found = surveyed(scaffold.replace("{}", f"<p:group>{inner}</p:group>"))
-    ((element, needed),) = next(iter(found.displaced.values()))
+    ((element, needed),) = next(iter(found.noted.displaced.values()))
     assert (element.name, needed) == (name, is_needed)
     # That it is missing where it belongs is the same mistake.
     assert found.problems == []
@@ -149,11 +149,13 @@ CYLINDER = '<visual name="v"><geometry><cylinder>{}</cylinder></geometry></visua
 def test_a_custom_element_in_the_place_of_a_required_one() -> None:
     cylinder = CYLINDER.format("<p:diameter>2</p:diameter><length>1</length>")
     found = surveyed(IN_LINK.replace("{}", cylinder))
-    assert [(custom.name, names) for custom, names in found.replaced.items()] == [("p:diameter", ["radius"])]
+    assert [(custom.name, names) for custom, names in found.noted.replaced.items()] == [
+        ("p:diameter", ["radius"])
+    ]
     assert found.problems == []
 
 
 def test_a_custom_element_beside_the_required_one() -> None:
     cylinder = CYLINDER.format("<p:diameter>2</p:diameter><radius>1</radius><length>1</length>")
     found = surveyed(IN_LINK.replace("{}", cylinder))
-    assert (found.replaced, found.problems) == ({}, [])
+    assert (found.noted.replaced, found.problems) == ({}, [])

@@ -203,6 +203,17 @@ def test_a_name_that_no_robot_shows_is_kept(editor: Editor, tmp_path: Path) -> N
     }
 
 
+@pytest.mark.parametrize("asked", ["paint", "body", "pair"])
+def test_a_material_of_parts_that_no_robot_includes(editor: Editor, tmp_path: Path, asked: str) -> None:
+    use = '<xacro:macro name="{}"><visual><material name="red"/></visual></xacro:macro>'
+    written(tmp_path, paint='<material name="red"><color rgba="1 0 0 1"/></material>')
+    written(tmp_path, body=f'<xacro:include filename="paint.xacro"/>{use.format("body")}')
+    written(tmp_path, pair=f'<xacro:include filename="body.xacro"/>{use.format("pair")}')
+    assert renamed(editor, tmp_path / f"{asked}.xacro", "red", 1, "rouge") == {
+        f"{name}.xacro": ["rouge"] for name in ("body", "paint", "pair")
+    }
+
+
 def test_renaming_a_macro_in_a_namespace(editor: Editor, tmp_path: Path) -> None:
     call = '<xacro:include filename="arm.xacro" ns="my"/><xacro:my.arm prefix="a"></xacro:my.arm>'
     written(tmp_path, arm=ARM, robot=call)

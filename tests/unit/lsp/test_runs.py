@@ -16,8 +16,8 @@ from benchmarks.editor import Editor
 from sdfcheck.lsp.completion import complete
 from sdfcheck.lsp.findings import Findings
 from sdfcheck.lsp.register import make_server
-from sdfcheck.lsp.worker import ANSWER, LINT, Schedule, Worker
-from sdfcheck.lsp.workspace import Choices, Workspace
+from sdfcheck.lsp.worker import ANSWER, LINT, SURVEY, Schedule, Worker
+from sdfcheck.lsp.workspace import Choices, Outdated, Workspace
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.text import Source
 
@@ -115,6 +115,55 @@ async def test_one_thread_does_all_work_and_answers_first() -> None:
     worker.close()
     assert done == ["first", "answer", "lint"]
     assert len(threads) == 1
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_a_lint_gives_way_to_answers_and_to_no_other_lint() -> None:
+    worker, done, loop = Worker(), list[str](), asyncio.get_running_loop()
+    begun, may_go = asyncio.Event(), threading.Event()
+
+    def lint() -> None:
+        loop.call_soon_threadsafe(begun.set)
+        worker.aside(may_go.wait, worker.give_way)
+        done.append("portion")
+        worker.give_way()
+        done.append("lint")
+
+    first = asyncio.ensure_future(worker.run(lint, SURVEY))
+    await begun.wait()
+    other = asyncio.ensure_future(worker.run(lambda: done.append("other lint"), LINT))
+    await worker.run(lambda: done.append("answer"))
+    assert done == ["answer"]
+    may_go.set()
+    await asyncio.gather(first, other)
+    worker.close()
+    assert done == ["answer", "portion", "lint", "other lint"]
+
+
+@pytest.mark.asyncio(loop_scope="function")
+async def test_a_look_at_a_text_that_changes_meanwhile_ends() -> None:
+    path, loop = ROBOTS / "desk_arm" / "desk_arm.urdf", asyncio.get_running_loop()
+    workspace = Workspace(worker := Worker())
+    findings = Findings(workspace)
+    buffer = workspace.open(path.as_uri(), path, path.read_text(), 1)
+    begun, may_go = asyncio.Event(), threading.Event()
+
+    def lint() -> None:
+        loop.call_soon_threadsafe(begun.set)
+        may_go.wait()
+        findings.lint(buffer)
+
+    first = asyncio.ensure_future(worker.run(lint, LINT))
+    await begun.wait()
+    new = Source(path, buffer.source.text.replace("base", "bottom"))
+    second = asyncio.ensure_future(worker.run(lambda: workspace.write(buffer, new, 2)))
+    await asyncio.sleep(0)
+    may_go.set()
+    with pytest.raises(Outdated):
+        await first
+    await second
+    worker.close()
+    assert not findings.at(path)
 
 
 @pytest.mark.asyncio(loop_scope="function")
