@@ -17,6 +17,7 @@ TURNED = 0.01
 MESH = "<geometry><mesh><uri>a.obj</uri></mesh></geometry>"
 VISUAL = f'<visual name="v">{MESH}</visual>'
 COLLISION = f'<«collision» name="c"><pose>{{}}</pose>{MESH}</collision>'
+BALL = "<geometry><sphere><radius>0.1</radius></sphere></geometry>"
 FILES = {"a.obj": "v 0 0 0\nv 0.1 0.1 0.1\nv 0.1 0 0\nf 1 2 3\n"}
 
 
@@ -25,8 +26,8 @@ class DetachedCollision(Rule):
 
     Both are the shape of one body, so they overlap, and are at one place if they are of one size. Where they are apart,
     the robot touches what it does not reach, and passes through what it does. Often the visual was moved and the
-    collision not, or only one of them has the origin of its mesh corrected. Links are looked at that have a mesh which
-    is on this computer, or the same one twice.
+    collision not, or only one of them has the origin of its mesh corrected. Meshes count that are on this computer, or
+    the same one twice.
     """
 
     code = "GEO003"
@@ -39,7 +40,6 @@ class DetachedCollision(Rule):
     around the part needs the middle of the part.
     """
     looks_at = (Link,)
-    needs = ("<mesh", ":mesh")
     scaffold = IN_LINK
 
     bad = (
@@ -56,6 +56,10 @@ class DetachedCollision(Rule):
             says="the collision of link `base` is as large as its visual, and 0.03 m from where that would be",
         ),
         Bad(VISUAL + COLLISION.format("0 0 0 1.57 0 0"), says="has the mesh of its visual, turned"),
+        Bad(
+            f'<visual name="v">{BALL}</visual><«collision» name="c"><pose>0.08 0 0 0 0 0</pose>{BALL}</collision>',
+            says="is as large as its visual, and 0.08 m from where that would be",
+        ),
     )
     good = (
         Good(VISUAL + COLLISION.replace("«collision»", "collision").format("0.004 0 0 0 0 0"), files=FILES),
@@ -66,11 +70,16 @@ class DetachedCollision(Rule):
             files=FILES,
             why="they touch",
         ),
+        Good(
+            '<visual name="v"><pose>0.3 0 0 0 0 0</pose><geometry><box><size>0.6 0.1 0.1</size></box></geometry>'
+            f'</visual><collision name="c">{BALL}</collision>',
+            why="a ball at the end of a rod",
+        ),
     )
 
     @staticmethod
     def applies(link: Link) -> bool:
-        return bool(gap(link) or shift(link) or is_turned(link))
+        return is_compared(link) and bool(gap(link) or shift(link) or is_turned(link))
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         plural = "s" if len(link.collisions) > 1 else ""
@@ -88,10 +97,17 @@ class DetachedCollision(Rule):
         )
 
 
+def is_compared(link: Link) -> bool:
+    """Has it both, and a mesh, or else primitive shapes whose places differ?"""
+    if not link.has("visual") or not link.has("collision"):
+        return False
+    if any(shape.geometry.shape == "mesh" for shape in link.shapes):
+        return True
+    return {shape.position for shape in link.visuals} != {shape.position for shape in link.collisions}
+
+
 def gap(link: Link) -> float:
     """How far collisions and visuals are apart (m), where that is too much; else 0."""
-    if not link.has("visual") or not link.has("collision"):
-        return 0.0
     visuals, collisions = link.visual_box, link.collision_box
     if visuals is None or collisions is None:
         return 0.0
@@ -113,12 +129,8 @@ def is_apart(link: Link) -> bool:
 
 
 def shift(link: Link) -> float:
-    """How far collision meshes are from visual ones of the same size (m), where that is too much; else 0."""
-    if (
-        not link.visuals
-        or not link.collisions
-        or any(shape.geometry.shape != "mesh" for shape in link.shapes)
-    ):
+    """How far collisions are from visuals of the same kind and size (m), where that is too much; else 0."""
+    if len({shape.geometry.shape == "mesh" for shape in link.shapes}) > 1:
         return 0.0
     visuals, collisions = link.visual_box, link.collision_box
     if visuals is None or collisions is None:
