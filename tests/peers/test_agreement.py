@@ -43,6 +43,7 @@ OF_OTHER_CONSUMERS = {
     "sensor-on-merged-joint": "libsdformat drops the sensor once converted",
     "undeclared-prefix": "namespace-aware parsers refuse it",
     "undefined-macro": "xacro refuses it",
+    "undefined-material": "Drake refuses it where it reads shapes, and the verdicts are without them",
     "unknown-drake-tag": "Drake refuses it",
     "unknown-joint-end": "urdfdom refuses it; only Drake knows a world without a link of that name",
     "unreferenced-extension": "libsdformat drops the block",

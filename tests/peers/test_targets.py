@@ -23,7 +23,7 @@ ALLOWED = {Consumer.GAZEBO: 0, Consumer.DRAKE: 1}
 """How many accepted files may be called rejected: Drake ignores the xacro elements of a `.urdf` file."""
 UNASKED = {
     Consumer.GAZEBO: frozenset[str](),
-    Consumer.DRAKE: frozenset({"DRK009", "RES001", "RES002", "SCH014", "URD007"}),
+    Consumer.DRAKE: frozenset({"DRK009", "RES001", "RES002", "SCH014", "URD006", "URD007"}),
 }
 """Cases without a verdict: Drake read the files without shapes, and beside files that are not here."""
 

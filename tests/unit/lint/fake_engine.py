@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -41,7 +41,7 @@ _MARKS = {"!": RULES[0], "?": RULES[1], "~": RULES[2]}
 
 
 class Dispatch:
-    def __init__(self, index: RuleIndex, active: ActiveRules) -> None:
+    def __init__(self, index: RuleIndex, active: ActiveRules, pause: Callable[[], None]) -> None:
         self.active = active
 
 
