@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import inf, isclose, log10
 
-from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import (
     MARK,
     is_doubtful,
@@ -13,6 +13,14 @@ from sdfcheck_rules.inr.moments import (
 
 UNEQUAL = 3.0
 """The largest moment of a box to its smallest one: that of 2.2 × 1 × 1 m, and of any plate, is less."""
+SDF = (
+    '<sdf version="1.12"><model name="m"><link name="base"/><link name="rod">{}</link><joint name="j" type="revolute">'
+    "<parent>base</parent><child>rod</child><axis><xyz>0 1 0</xyz></axis></joint></model></sdf>"
+)
+URDF = (
+    '<robot name="r"><link name="base"/><link name="rod">{}</link><joint name="j" type="continuous">'
+    '<parent link="base"/><child link="rod"/><axis xyz="0 1 0"/></joint></robot>'
+)
 ROUND = "<inertial><mass>2</mass><«inertia»><ixx>{0}</ixx><iyy>{0}</iyy><izz>{0}</izz></inertia></inertial>"
 ROD = '<collision name="c"><geometry><box><size>0.4 0.05 0.05</size></box></geometry></collision>'
 
@@ -20,7 +28,7 @@ URDF_ROD = '<visual><geometry><cylinder radius="0.05" length="0.6"/></geometry><
 
 
 class EqualRoundMoments(Rule):
-    """The moments of inertia of a long link are the same round number about each axis.
+    """The moments of inertia of a long link on a joint are the same round number about each axis.
 
     They are those of a ball or a cube. A rod turns a hundred times as easily about its own axis as across it; with
     equal moments a controller is tuned to another arm than the real one. Such numbers (0.01, 0.1, 1) are placeholders.
@@ -35,7 +43,7 @@ class EqualRoundMoments(Rule):
     other shapes. In SDFormat 1.11 and later, `<inertial auto="true">` computes them from the collisions.
     """
     looks_at = (Inertial,)
-    scaffold = IN_LINK
+    scaffold = SDF
 
     bad = (
         Bad(
@@ -45,7 +53,8 @@ class EqualRoundMoments(Rule):
         Bad(
             '<inertial><mass value="10"/><«inertia» ixx="1e-1" ixy="0" ixz="0" iyy=".1" iyz="0" izz="0.10"/></inertial>'
             + URDF_ROD,
-            scaffold=IN_URDF_LINK,
+            scaffold=URDF,
+            also=("URD013",),
         ),
     )
     good = (
@@ -65,7 +74,9 @@ class EqualRoundMoments(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not is_doubtful(inertial) or inertial.inertia is None or not has_one_round_moment(inertial):
+        if not inertial.link.parent_joints or not is_doubtful(inertial) or inertial.inertia is None:
+            return False
+        if not has_one_round_moment(inertial):
             return False
         if not inertial.mass.number > MARK or not is_weighed(inertial) or is_out_of_scale(inertial):
             return False

@@ -60,10 +60,10 @@ def outside(inertial: Inertial) -> float:
     center, link = inertial.center, inertial.link
     if (
         center is None
-        or (link.visuals and link.visual_box is None)
         or not is_compared(inertial)
         or link.extent is None
         or not link.extent.distance_to(center)
+        or (link.visuals and link.visual_box is None)
     ):
         return 0.0
     box = link.fixed_extent
