@@ -445,12 +445,12 @@ class Link(Node):
     @property
     def parent_joints(self) -> tuple[Joint, ...]:
         """The joints whose child it is; more than one is a mistake, or closes a loop."""
-        return tuple(self.model.tree.parents.get(self, ()))
+        return tuple(self.holder.tree.parents.get(self, ())) if isinstance(self.holder, Model) else ()
 
     @property
     def child_joints(self) -> tuple[Joint, ...]:
         """The joints whose parent it is."""
-        return tuple(self.model.tree.children.get(self, ()))
+        return tuple(self.holder.tree.children.get(self, ())) if isinstance(self.holder, Model) else ()
 
     def below(self) -> Iterator[Link]:
         """The link and all links that hang on it, each once."""
