@@ -20,7 +20,7 @@ LONGEST = 0.02
 """The longest wait after a keystroke, in s; a text that is linted in no time waits for nothing, and one that
 was opened for the questions that come with it.
 """
-_QUICK = 0.04
+_QUICK = 0.01
 
 
 class Schedule:
