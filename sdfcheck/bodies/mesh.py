@@ -479,9 +479,11 @@ def _turn(axis: Points, angle: float) -> Points:
 
 
 def _fans(sides: Any, corners: Any) -> Any:
-    """The triangles (n, 3) of polygons with so many sides each."""
+    """The triangles (n, 3) of polygons with so many sides each; raises ValueError where there are fewer corners."""
     import numpy as np
 
+    if len(sides) and (sides.min() < 0 or sides.max() > len(corners) or sides.sum() > len(corners)):
+        raise ValueError("more sides than corners")
     counts = np.maximum(sides - 2, 0)
     first = np.repeat(np.cumsum(sides) - sides, counts)
     next_ = first + np.arange(1, len(first) + 1) - np.repeat(np.cumsum(counts) - counts, counts)

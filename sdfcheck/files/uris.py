@@ -220,8 +220,8 @@ def _exported(document: Document, path: str) -> Iterator[str]:
     library = library_of(document)
     if library is not None and not library.search.is_alone:
         packages = library.packages(document.path)
-        for name in packages.names:
-            yield os.path.join(packages.find(name, document.path) or "", path)
+        found = (packages.find(name, document.path) for name in packages.names)
+        yield from (os.path.join(package, path) for package in found if package is not None)
 
 
 def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[str]:

@@ -17,10 +17,9 @@ from typing import Any, TypeVar
 # When to lint: soon after a change, never twice at once, and not for what has changed again.
 
 LONGEST = 0.02
-"""The longest wait after a keystroke, in s; a text that is linted in no time waits for nothing, and one that
-was opened for the questions that come with it.
-"""
+"""The longest wait after a keystroke, in s, for the questions that come with it."""
 _QUICK = 0.01
+"""s: a text that is looked at in less waits for nothing."""
 
 
 class Schedule:
@@ -88,13 +87,12 @@ _Job = tuple[int, int, Callable[[], Any], Callable[[Any, BaseException | None], 
 """Urgency, number, the work, and what takes its result or its exception."""
 
 
-_THRESHOLD, _ARENAS = -3, -8
-"""Settings of glibc: from which size on memory goes back to the system at once, and how many heaps there are."""
+_ARENAS = -8
+"""The setting of glibc that says how many heaps there are."""
 
 
 def keep_memory_small() -> None:
-    """Let long texts give their memory back, whichever thread made them; to be called before there are threads."""
-    _ask_glibc("mallopt", _THRESHOLD, 1 << 17)
+    """Have one heap for all threads, whose free memory each can use; to be called before there are threads."""
     _ask_glibc("mallopt", _ARENAS, 1)
 
 

@@ -365,6 +365,8 @@ def test_a_mesh_without_triangles_has_no_skin(tmp_path: Path, name: str, data: b
     [
         ("a.dae", collada(node='<instance_geometry url="#g"/>' * 6000)),
         ("a.obj", OBJ + b"# \n" * 12_000_000),
+        ("a.dae", collada(polygons="polylist").replace(b"<vcount>3<", b"<vcount>700000000<")),
+        ("a.dae", collada(polygons="polylist").replace(b"<vcount>3<", b"<vcount>-5 8<")),
     ],
 )
 def test_a_file_that_would_take_long_has_no_skin(tmp_path: Path, name: str, data: bytes) -> None:

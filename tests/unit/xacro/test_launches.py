@@ -374,3 +374,12 @@ def test_plain_urdf_is_a_source_where_the_project_says_so(
     (package / file).parent.mkdir(exist_ok=True)
     (package / file).write_text(text)
     assert "URD009" not in codes(package)
+
+
+def test_a_remark_of_xacro_without_an_end_costs_nothing(package: Path) -> None:
+    (package / "urdf" / "old.urdf").write_text('<robot name="r"><link name="${1}"/></robot>')
+    remark = GENERATED.replace("../urdf/old.urdf |", "a" * 300_000)
+    (package / "made.urdf").write_text(remark)
+    start = time.process_time()
+    assert "URD009" in codes(package)
+    assert time.process_time() - start < 5
