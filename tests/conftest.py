@@ -22,6 +22,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--golden", action="store_true", help="write the expected outputs again")
 
 
+def pytest_make_parametrize_id(val: object, argname: str) -> str | None:
+    """A long text is not the name of a test, which workers send to one another and reports show."""
+    return argname if isinstance(val, (str, bytes)) and len(val) > 200 else None
+
+
 @pytest.fixture(scope="session")
 def stride(request: pytest.FixtureRequest) -> Callable[[int], int]:
     """How to step through a long list: ``files[:: stride(5)]`` is every fifth, or all with ``--all-examples``."""

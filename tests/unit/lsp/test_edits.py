@@ -80,7 +80,7 @@ def ask_everything(workspace: Workspace, path: Path, offset: int) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-@settings(max_examples=5, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())
 def test_edits_leave_the_state_of_a_fresh_reading(path: Path, data: st.DataObject) -> None:
     workspace = Workspace()
