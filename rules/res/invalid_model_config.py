@@ -31,7 +31,7 @@ MESSAGES = {
     ConfigFault.BAD_VERSION: "`{}` is not a version of SDFormat",
     ConfigFault.TOO_NEW: "version {} is newer than any consumer knows",
     ConfigFault.MISSING_FILE: "there is no file `{}` beside this one",
-    ConfigFault.UNMADE_FILE: "`{}` has yet to be made from `{}`",
+    ConfigFault.UNMADE_FILE: "`{}` has yet to be made (see `{}`)",
     ConfigFault.OTHER_VERSION: "version {} is not that of the file, which declares {}",
 }
 ADVICE = {
@@ -77,8 +77,8 @@ class InvalidModelConfig(Rule):
     versions). It crashes at a version that is not a number, and where it has something to
     say of a model without a name; a missing name alone is a warning. So is a version that
     is not that of the file: by it a consumer may take a file that is too new for it, and a
-    missing file for an old version beside a newer one. A file that a build is to make from a
-    template beside it is only pointed out.
+    missing file for an old version beside a newer one. A file that a build is to make, from a
+    template beside it or in a folder without any description, is only pointed out.
     """
 
     code = "RES007"
@@ -115,7 +115,13 @@ class InvalidModelConfig(Rule):
             '<sdf version="1.12">«arm.sdf»</sdf>',
             file=CONFIG,
             files={"arm.sdf.jinja": "{{ arm }}"},
-            says="`arm.sdf` has yet to be made from `arm.sdf.jinja`",
+            says="`arm.sdf` has yet to be made (see `arm.sdf.jinja`)",
+        ),
+        Bad(
+            '<sdf version="1.12">«stairs.urdf»</sdf>',
+            file=CONFIG,
+            files={"CMakeLists.txt": "", "make_stairs.py": ""},
+            says="`stairs.urdf` has yet to be made (see `CMakeLists.txt`)",
         ),
         Bad(
             '<sdf version="«1.6»">arm.sdf</sdf>',

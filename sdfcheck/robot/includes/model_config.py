@@ -25,6 +25,8 @@ OLD_CONFIG = "manifest.xml"
 _NUMBERS = re.compile(r"\s*(\d+)\.(\d+)\s*")
 _PLACEHOLDER = re.compile(r"@\w+@")
 _MADE_FROM = TEMPLATE_SUFFIXES | {".xacro"}
+_DESCRIPTIONS = (".sdf", ".urdf", ".world", ".xacro")
+_BUILD = "CMakeLists.txt"
 
 
 class ConfigFault(Enum):
@@ -198,14 +200,20 @@ def _of_other_version(config: Document, entry: Element) -> list[Misconfiguration
 
 
 def _template(folder: Path, name: str) -> str | None:
-    """The file in the folder from which one of that name is to be made."""
+    """The file in the folder from which one of that name is to be made.
+
+    That is CMakeLists.txt where the folder holds nothing else that describes a model.
+    """
     stems = {name, os.path.splitext(name)[0]}
     try:
-        split = map(os.path.splitext, sorted(os.listdir(folder)))
+        files = sorted(os.listdir(folder))
     except OSError:
         return None
-    made = (stem + suffix for stem, suffix in split if stem in stems and suffix.lower() in _MADE_FROM)
-    return next(made, None)
+    for stem, suffix in map(os.path.splitext, files):
+        if stem in stems and suffix.lower() in _MADE_FROM:
+            return stem + suffix
+    is_described = any(file.lower().endswith(_DESCRIPTIONS) for file in files)
+    return _BUILD if _BUILD in files and not is_described else None
 
 
 def _version(entry: Element) -> tuple[int, int] | None:
