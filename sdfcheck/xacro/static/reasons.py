@@ -54,6 +54,7 @@ _FOREIGN = {
     "param": "parameters of a macro are listed in its attribute `params`",
     "params": "parameters of a macro are listed in its attribute `params`",
     "var": "a value with a name is a `xacro:property`",
+    **dict.fromkeys(("error", "fatal", "warning"), "write `${xacro.fatal('…')}` to stop with a message"),
 }
 """Elements of other languages → what xacro has instead."""
 
@@ -262,14 +263,14 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     if "package://" in name:
         package, _, rest = name.partition("package://")[2].partition("/")
         return Reason(f"xacro does not know `package://`: write `$(find {package})/{rest}`")
-    if not why.startswith("no such file") or "$" in name:
+    if not why.startswith(("no such file", "is a directory")) or "$" in name:
         return None
     path = problem.span.source.path.parent / name
     if document.library is not None:
         for each in names_in(path.parent):
             if each.casefold() == path.name.casefold():
                 return Reason(f"did you mean `{each}`?")
-    return _of_default(path, problem.span.text, document)
+    return _of_default(path, problem, document)
 
 
 def _path(problem: ExpansionFailure, document: Document) -> Path | None:
@@ -289,12 +290,13 @@ def _folder_above(problem: ExpansionFailure) -> str:
     return "" if found is None else relative_path(found, path.parent)
 
 
-def _of_default(path: Path, written: str, document: Document) -> Reason | None:
+def _of_default(path: Path, problem: ExpansionFailure, document: Document) -> Reason | None:
     """The argument of a file whose default names what is missing: with another value the path may be there."""
     read = reading(document)
+    asked = {giver.name for giver in givers(problem.span, problem.origins, document)}
     missing = next((each.name for each in (*reversed(path.parents), path) if not os.path.exists(each)), "")
     for name, default in read.arguments.items():
-        if default == missing if default else f"$(arg {name})" in written:
+        if default == missing if default else f"{_GIVEN}{name})" in asked:
             place = read.argument_elements[name].attribute("default")
             words = f"the default of argument `{name}` is {f'`{default}`' if default else 'empty'}"
             return Reason(words, place.span if place is not None else None, "its default", argument=name)

@@ -315,3 +315,13 @@ def test_a_key_that_is_lacking_is_one_problem(tmp_path: Path) -> None:
     (warning,) = (each for each in sdfcheck.lint(path, isolated=True).diagnostics if each.code == "XAC001")
     assert warning.severity is sdfcheck.Severity.WARNING
     assert "the default of argument `f` is `a.yaml`" in warning.message
+
+
+def test_a_file_that_an_argument_has_to_name_may_be_there(tmp_path: Path) -> None:
+    read = '<xacro:property name="c" value="${xacro.load_yaml(file)}"/><link name="l${c}"/>'
+    macro = f'<xacro:macro name="arm" params="file">{read}</xacro:macro>'
+    call = '<xacro:arm file="$(arg speeds)"/>'
+    path = written(tmp_path, f'<xacro:arg name="speeds" default=""/>{macro}{call}')
+    (warning,) = (each for each in sdfcheck.lint(path, isolated=True).diagnostics if each.code == "XAC001")
+    assert warning.severity is sdfcheck.Severity.WARNING
+    assert "the default of argument `speeds` is empty" in warning.message
