@@ -268,7 +268,7 @@ def _of_file(problem: ExpansionFailure, document: Document) -> Reason | None:
     path = problem.span.source.path.parent / name
     if document.library is not None:
         for each in names_in(path.parent):
-            if each.casefold() == path.name.casefold():
+            if each.casefold() == path.name.casefold() and each != path.name:
                 return Reason(f"did you mean `{each}`?")
     return _of_default(path, problem, document)
 
