@@ -37,6 +37,7 @@ class MismatchedWheelSeparation(Rule):
     good = (
         Good(rover(wheel_separation="0.34")),
         Good(rover(wheel_separation="0.33"), why="measured between other points of the wheels"),
+        Good(rover(wheel_separation="0.44", beyond=0.05), why="the joints are on the inner sides"),
     )
 
     @staticmethod
@@ -60,7 +61,13 @@ def is_mismatched(plugin: Plugin) -> bool:
     drive = plugin.drive
     if drive is None or drive.separation is None or not drive.separation.own_value.number > 0:
         return False
-    distance, written = abs(drive.distance), drive.separation.own_value.number
-    if len(drive.lefts) > 1 and drive.base is None:
-        return distance > 0.01 and not distance / SKID <= written <= SKID * distance
-    return distance > 0.01 and abs(written - distance) > MOST * distance
+    written, skids = drive.separation.own_value.number, len(drive.lefts) > 1 and drive.base is None
+    return is_other(written, drive.distance, skids) and is_other(written, drive.distance_of_middles, skids)
+
+
+def is_other(written: float, distance: float, skids: bool) -> bool:
+    """Is it far from a distance, measured or nan for none?"""
+    distance = abs(distance)
+    if skids:
+        return not distance < 0.01 and not distance / SKID <= written <= SKID * distance
+    return not distance < 0.01 and not abs(written - distance) <= MOST * distance

@@ -7,6 +7,7 @@ NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
+MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
 
 
@@ -60,6 +61,12 @@ class MissingCollision(Rule):
             robot("base visual", *(f"{name} visual collision" for name in "abcde"), "tip"),
             why="nothing to see",
         ),
+        Good(
+            robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
+                "</link><link", f"{MASS}</link><link", 2
+            ),
+            why="massless-moving-link reports that it has no mass either",
+        ),
     )
 
     @staticmethod
@@ -82,6 +89,8 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
+    if any(link.has_mass for link in moving):
+        bare = [link for link in bare if link.has_mass]  # else that is the mistake
     found: list[tuple[Link, Link | None]] = []
     for link in bare:
         alike = [other for other in link.counterparts or numbered(link) if other in moving]

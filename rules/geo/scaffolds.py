@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 ARM = (
     '<robot name="r"><link name="base"><visual><geometry><box size="0.2 0.2 0.1"/></geometry></visual></link>'
     '<link name="arm">{}</link><joint name="j" type="revolute"><origin xyz="0 0 0.3"/><parent link="base"/>'
@@ -32,12 +34,22 @@ def mesh(kind: str, file: str, attributes: str = "") -> str:
 
 
 def rover(
-    *, left: str = "left", y: float = 0.17, axis: str = "0 1 0", radius: str = "0.1", **parameters: str
+    *,
+    left: str = "left",
+    y: float = 0.17,
+    axis: str = "0 1 0",
+    radius: str = "0.1",
+    beyond: float = 0.0,
+    **parameters: str,
 ) -> str:
-    """A robot with two wheels in URDF, and the plugin that drives them: the numbers are those of the right wheel."""
+    """A robot with two wheels in URDF, and the plugin that drives them: the numbers are those of the right wheel.
+
+    The shapes of both are ``beyond`` (m) their joints.
+    """
     sides = (("left", 0.17, "0 1 0", "0.1"), ("right", -y, axis, radius))
     wheels = "".join(
-        f'<link name="{side}"><collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="{size}" length="0.04"/>'
+        f'<link name="{side}"><collision><origin xyz="0 {math.copysign(beyond, at)} 0" rpy="1.5708 0 0"/>'
+        f'<geometry><cylinder radius="{size}" length="0.04"/>'
         f'</geometry></collision></link><joint name="{side}_joint" type="continuous"><origin xyz="0 {at} 0"/>'
         f'<parent link="base"/><child link="{side}"/><axis xyz="{turns}"/></joint>'
         for side, at, turns, size in sides

@@ -56,6 +56,13 @@ class InertiaAboutWrongPoint(Rule):
             "</collision>",
             why="about the center of mass",
         ),
+        Good(
+            "<inertial><pose>0 0 0.2 0 0 0</pose><mass>250</mass>"
+            "<inertia><ixx>12</ixx><iyy>12</iyy><izz>12</izz></inertia></inertial>"
+            '<collision name="c"><pose>0 0 0.2 0 0 0</pose><geometry><box><size>0.3 0.55 0.05</size></box></geometry>'
+            "</collision>",
+            why="a number for all three axes",
+        ),
     )
 
     @staticmethod

@@ -140,7 +140,14 @@ def is_about_origin(inertial: Inertial) -> bool:
     shifted = (inertial.tensor.trace - 2 * inertial.mass.number * offset * offset) / inertial.solid_trace
     if not offset > 0:
         return False
-    return 1 / 3 < shifted < 3 if found > 10 else bool(inertial.link.solids) and abs(shifted - 1) < _EXACTLY
+    if found > 10:
+        return 1 / 3 < shifted < 3
+    return bool(inertial.link.solids) and abs(shifted - 1) < _EXACTLY and not is_round(inertial)
+
+
+def is_round(inertial: Inertial) -> bool:
+    """Are the moments equal? About a point off the center of mass they are not: there is one axis through both."""
+    return len(set(inertial.tensor[:3])) == 1
 
 
 def is_unit(inertial: Inertial) -> bool:

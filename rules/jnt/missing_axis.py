@@ -34,6 +34,10 @@ class MissingAxis(Rule):
             "<axis><xyz>1 0 0</xyz></axis></joint>",
             says="joint `j` of type universal has no `axis2`",
         ),
+        Bad(
+            f'<link name="arm"/><«joint» name="j" type="universal">{_ENDS}</joint>',
+            says="joint `j` of type universal has no `axis` and no `axis2`",
+        ),
     )
     good = (
         Good(f'<link name="arm"/><joint name="j" type="ball">{_ENDS}</joint>', why="turns about all axes"),
@@ -42,12 +46,14 @@ class MissingAxis(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return not joint.is_urdf and any(
-            not axis.is_given and not joint.misspells(name)
-            for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False)
-        )
+        return not joint.is_urdf and bool(missing(joint))
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
-        for axis, name in zip(joint.axes, ("axis", "axis2"), strict=False):
-            if not axis.is_given and not joint.misspells(name):
-                yield self.diagnostic(joint, f"{joint.title} of type {joint.type} has no `{name}`")
+        names = " and no ".join(f"`{name}`" for name in missing(joint))
+        yield self.diagnostic(joint, f"{joint.title} of type {joint.type} has no {names}")
+
+
+def missing(joint: Joint) -> list[str]:
+    """The axes that its type needs and nobody wrote."""
+    axes = zip(joint.axes, ("axis", "axis2"), strict=False)
+    return [name for axis, name in axes if not axis.is_given and not joint.misspells(name)]

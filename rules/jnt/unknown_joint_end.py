@@ -20,6 +20,10 @@ from sdfcheck import (
 )
 
 _ARM = '<link name="arm"/>'
+TIP = (
+    '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="tip"/>'
+    '<joint name="j" type="fixed"><parent link="«hand»"/><child link="tip"/></joint></robot>'
+)
 
 
 class UnknownJointEnd(Rule):
@@ -28,7 +32,9 @@ class UnknownJointEnd(Rule):
     libsdformat, Drake and urdfdom refuse the file; libsdformat overlooks the parents of joints in
     nested models. In SDFormat a joint may end at a link, frame, joint or nested model
     of its own model, and by `A::b` at what is in nested models. Nothing reaches outwards,
-    but `world` can be a parent everywhere; in URDF only Drake knows it.
+    but `world` can be a parent everywhere; in URDF only Drake knows it, and a robot that
+    declares Drake's prefix gets a warning. So does one that a robot of the same name could
+    hold, as one of its parts.
     """
 
     code = "JNT001"
@@ -77,6 +83,13 @@ class UnknownJointEnd(Rule):
             '<joint name="j" type="fixed"><parent link="base"/><child link="«arm»"/></joint>',
             scaffold=IN_ROBOT,
             says="child `arm` of joint `j` does not exist",
+        ),
+        Bad(
+            TIP,
+            scaffold="{}",
+            file="tip.xacro",
+            files={"arm.urdf.xacro": '<robot name="r"><link name="hand"/></robot>'},
+            says="parent `hand` of joint `j` does not exist",
         ),
     )
     good = (
@@ -134,17 +147,27 @@ class UnknownJointEnd(Rule):
         if others:
             message += f" (named {1 + len(others)} times)"
         if meant is None:
-            advice = "only Drake takes `world` for granted, others want a link of that name"
-            affects = _affects(joint, value)
-            if name == "world":
-                affects[Consumer.DRAKE] = accepts("takes it for granted")
-            return self.diagnostic(value, message, help=advice if name == "world" else None, affects=affects)
+            return self._absent(joint, value, message)
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else ""
         edits = tuple(TextEdit(end.span, meant) for end in (value, *others))
         fix = make_fix(f"write `{meant}`", edits, unsafe=True)
         question = None if is_deeper else meant
         return self.diagnostic(value, message, meant=question, fix=fix, affects=_affects(joint, value))
+
+    def _absent(self, joint: Joint, value: Value, message: str) -> Diagnostic:
+        affects, advice, is_meant = _affects(joint, value), None, False
+        if value.text.strip() == "world":
+            advice = "only Drake takes `world` for granted, others want a link of that name"
+            affects[Consumer.DRAKE] = accepts("takes it for granted")
+            is_meant = "drake" in value.element.namespaces
+        elif joint.is_in_namesake(value.text.strip()):
+            advice, is_meant = (
+                f"another file of robot `{joint.scope.name}` has it: include this one there",
+                True,
+            )
+        severity = Severity.WARNING if is_meant else None
+        return self.diagnostic(value, message, help=advice, severity=severity, affects=affects)
 
 
 def _affects(joint: Joint, end: Value) -> dict[Consumer, Reaction]:

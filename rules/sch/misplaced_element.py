@@ -62,6 +62,13 @@ class MisplacedElement(Rule):
             says="which has `diffuse` and `ambient` in SDFormat",
         ),
         Bad(
+            '<gazebo reference="base"><«mu»>0.2</mu></gazebo>',
+            fixed='<gazebo reference="base"><mu1>0.2</mu1></gazebo>',
+            unsafe=True,
+            scaffold=IN_ROBOT,
+            says="`mu` does not belong in `gazebo`; did you mean `mu1`?",
+        ),
+        Bad(
             '<gazebo reference="base"><«plugin» name="p" filename="f"/></gazebo>',
             scaffold=IN_ROBOT,
             says="becomes a plugin of `base`, which Gazebo does not load",
@@ -107,9 +114,9 @@ class MisplacedElement(Rule):
             message += f"; it goes into {named(problem.places, 'or', most=3)}"
         fix = rename(problem.suggestion, element)
         if problem.ignored:
-            # The recorded state of a link, copied into the model, makes no other robot of it.
+            # The recorded state of a link, copied into the model, makes no other robot of it; nor does a default.
             is_recorded = parent.name == "link" and RECORD in problem.places
-            severity = Severity.WARNING if is_recorded else self.severity
+            severity = Severity.WARNING if is_recorded or problem.is_default else self.severity
             yield self.diagnostic(element, message, fix=fix, severity=severity)
             return
         message += "; libsdformat follows it anyway"

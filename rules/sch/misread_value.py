@@ -76,9 +76,11 @@ class MisreadValue(Rule):
         affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else {}
         cause = reading.cause.name if reading.cause else ""
         if cause == "EXTRA":
+            is_repeated = all(is_same(word, reading.read_as) for word in part.split())
             yield self.diagnostic(
                 problem.span,
                 f"`{name}` is read as {reading.read_as}: a second number is ignored",
+                severity=Severity.WARNING if is_repeated else None,
                 affects=affects,
             )
             return

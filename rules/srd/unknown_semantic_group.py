@@ -8,6 +8,7 @@ class UnknownSemanticGroup(Rule):
     """SRDF names a group that it does not define.
 
     MoveIt drops the state or end effector, and a group with such a part as a whole, with all that refer to it.
+    A file without any group is for Pinocchio, which reads its states anyway: a warning.
     """
 
     code = "SRD002"
@@ -39,4 +40,6 @@ class UnknownSemanticGroup(Rule):
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         for value in semantics.unknown_groups:
             near = suggest(value.text.strip(), semantics.groups)
-            yield self.diagnostic(value, f"there is no group `{value.text.strip()}`", meant=near)
+            severity = None if semantics.groups else Severity.WARNING
+            message = f"there is no group `{value.text.strip()}`"
+            yield self.diagnostic(value, message, meant=near, severity=severity)

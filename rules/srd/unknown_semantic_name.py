@@ -9,7 +9,7 @@ class UnknownSemanticName(Rule):
 
     MoveIt drops what names it with a message at start: a group loses a member, a chain is not there, a pair
     of links collides again. Robots are looked for by name in the project; where none has most of the names,
-    nothing is reported.
+    nothing is reported. In a file without groups, as Pinocchio reads it, this is a warning.
     """
 
     code = "SRD001"
@@ -63,5 +63,5 @@ class UnknownSemanticName(Rule):
             robot = semantics.robots[0].name if len(semantics.robots) == 1 else semantics.name
             message = f"robot `{robot}` has no {part.kind} `{name}`"
             is_pair = part.value.element.name.endswith("collisions")
-            severity = Severity.WARNING if is_pair else None
+            severity = Severity.WARNING if is_pair or not semantics.groups else None
             yield self.diagnostic(part.value, message, meant=near, severity=severity)

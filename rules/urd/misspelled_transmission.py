@@ -26,7 +26,8 @@ class MisspelledTransmission(Rule):
     """The type of a transmission, or the interface of its joint, is nearly one that ros_control has.
 
     ros_control skips such a transmission with an error. Its joint has no interface, and a controller that asks for it
-    is not started: "could not find joint in hardware_interface…".
+    is not started: "could not find joint in hardware_interface…". In a package of ROS 2, where
+    nothing reads it, that is a warning.
     """
 
     code = "URD028"
@@ -68,8 +69,10 @@ class MisspelledTransmission(Rule):
         return next(misspelled(transmission), None) is not None
 
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
+        severity = Severity.WARNING if transmission.is_of_ros_2 else None
         for value, meant in misspelled(transmission):
-            yield self.diagnostic(value, f"ros_control has no `{value.text.strip()}`", meant=meant)
+            message = f"ros_control has no `{value.text.strip()}`"
+            yield self.diagnostic(value, message, meant=meant, severity=severity)
 
 
 def misspelled(transmission: Transmission) -> Iterator[tuple[Value, str]]:

@@ -25,7 +25,7 @@ class OverwrittenProperty(Rule):
         Bad(
             '<xacro:property name="«w»" value="1"/><xacro:property name="w" value="2"/><link name="l${w}"/>',
             file=FILE,
-            says="`w` gets another value before anything reads this one",
+            says="`w` is defined again before anything reads this value",
         ),
     )
     good = (
@@ -39,5 +39,5 @@ class OverwrittenProperty(Rule):
 
     def check(self, problem: problems.OverwrittenProperty) -> Iterator[Diagnostic]:
         labels = {problem.other: "the value that counts"} if problem.other else None
-        message = f"`{problem.name}` gets another value before anything reads this one"
+        message = f"`{problem.name}` is defined again before anything reads this value"
         yield self.diagnostic(problem.span, message, labels=labels)

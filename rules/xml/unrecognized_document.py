@@ -2,12 +2,16 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, write_instead
 
+PARTS = frozenset(("gazebo", "joint", "link", "material", "ros2_control", "transmission"))
+"""Parts that only a robot holds."""
+
 
 class UnrecognizedDocument(Rule):
     """The file is not SDFormat, URDF, xacro or model.config.
 
     They are recognized by their root element: `sdf`, `robot`, `model`. Other formats share
-    the suffix `.sdf`: chemical structures, timing of circuits, templates of any kind.
+    the suffix `.sdf`: chemical structures, timing of circuits, templates of any kind. A file
+    that holds parts of a robot alone gets a warning: exporters paste such files into a robot.
     """
 
     code = "XML009"
@@ -27,6 +31,11 @@ class UnrecognizedDocument(Rule):
             unsafe=True,
             says="did you mean `robot`?",
         ),
+        Bad(
+            '<«gazebo» reference="l"/>\n<gazebo reference="m"/>',
+            file="gazebo.urdf",
+            says="the root element is `gazebo`, which belongs in a `robot`",
+        ),
         Bad("<«html»><body/></html>", says="the root element is `html`, not `sdf` or `robot`"),
         Bad("«solid cube»\n", says="this looks like plain text"),
         Bad("«»", says="the file is empty"),
@@ -37,14 +46,18 @@ class UnrecognizedDocument(Rule):
     )
 
     def check(self, problem: problems.UnrecognizedDocument) -> Iterator[Diagnostic]:
-        advice = None
+        advice, severity = None, None
         if not problem.span.source.text.strip():
             message, advice = "the file is empty", "write a description into it, or remove it"
         elif problem.root is None:
             message = f"this looks like {problem.looks_like}, not like a robot description"
         else:
             message = f"the root element is `{problem.root}`, not `sdf` or `robot`"
-            if problem.suggestion is not None:
+            if problem.root in PARTS:
+                message = f"the root element is `{problem.root}`, which belongs in a `robot`"
+                advice = "put it into `<robot>`, or exclude the file if something pastes it into one"
+                severity = Severity.WARNING
+            elif problem.suggestion is not None:
                 message = f"unknown root element `{problem.root}`; did you mean `{problem.suggestion}`?"
         fix = write_instead(problem.suggestion, problem.span, problem.end) if problem.end else None
-        yield self.diagnostic(problem.span, message, help=advice, fix=fix)
+        yield self.diagnostic(problem.span, message, help=advice, severity=severity, fix=fix)

@@ -340,9 +340,19 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
 
 def is_of_ros_1(path: str | os.PathLike[str]) -> bool:
     """Is the package that a file is in built by catkin alone?"""
-    around = package_around(path)
-    manifest = "" if around is None else _COMMENT.sub("", _read(Path(around[0], "package.xml")))
+    manifest = _manifest_around(path)
     return "<buildtool_depend>catkin<" in manifest and "ament_" not in manifest
+
+
+def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
+    """Is it built by ament alone?"""
+    manifest = _manifest_around(path)
+    return "ament_" in manifest and ">catkin<" not in manifest
+
+
+def _manifest_around(path: str | os.PathLike[str]) -> str:
+    around = package_around(path)
+    return "" if around is None else _COMMENT.sub("", _read(Path(around[0], "package.xml")))
 
 
 def _package_name(path: str) -> str:

@@ -46,7 +46,8 @@ class MisplacedElement(Record):
     """A standard element where its parent does not allow it.
 
     ``places`` are the parents that do, the likeliest first and those only if there are
-    any. ``ignored`` is False for what consumers find wherever it is.
+    any. ``ignored`` is False for what consumers find wherever it is, ``is_default`` True for a
+    value that holds without it.
     """
 
     element: Element
@@ -54,6 +55,7 @@ class MisplacedElement(Record):
     places: tuple[str, ...]
     suggestion: str | None
     ignored: bool = True
+    is_default: bool = False
 
 
 class TooNewElement(Record):

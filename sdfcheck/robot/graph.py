@@ -1156,6 +1156,12 @@ class Joint(Node):
         """Is it of a type of URDF that lets its child move?"""
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"
 
+    def is_in_namesake(self, link: str) -> bool:
+        """Is a link that its robot of URDF has not in another file of the project, in a robot of the same name?"""
+        from sdfcheck.xacro.static.project import namesake_has
+
+        return self.is_urdf and namesake_has(self.document, link)
+
     @lazy
     def at_rest(self) -> Origin | None:
         """Its pose in its model with all joints at zero, in plain numbers; None where that is not known."""
@@ -1309,15 +1315,15 @@ def _links_at_rest(model: Model) -> dict[Link, Origin]:
     return found
 
 
-def _at_rest_in_sdf(joint: Joint) -> Origin | None:
+def _at_rest_in_sdf(node: Node) -> Origin | None:
     """The same in SDFormat, as far as it is relative to what is in the same model."""
-    found, at = Origin(), cast("Node", joint)
+    found, at = Origin(), node
     for _ in range(_DEEPEST):
         found = pose_in(at.pose_element).followed_by(found)
         base = at.base
-        if base is None or base is joint.scope:
+        if base is None or base is node.scope:
             return found if base is not None or not at.base_name else None
-        if base.scope is not joint.scope or base.kind == "model":
+        if base.scope is not node.scope or base.kind == "model":
             return None
         at = base
     return None
@@ -1981,6 +1987,18 @@ class Wheel(NamedTuple):
     radius: float
     """m, of its round shape; nan where there is none."""
 
+    @property
+    def middle(self) -> tuple[float, ...] | None:
+        """The middle of the box around its shapes; None where that is not known."""
+        link = self.joint.child_link
+        if link is None or link.box is None:
+            return None
+        frame = self.joint.at_rest if link.is_urdf else _at_rest_in_sdf(link)
+        if frame is None:
+            return None
+        x, y, z = link.box.center
+        return frame.applied_to((x, y, z))
+
     def ahead_of(self, other: Wheel, direction: tuple[float, ...]) -> float:
         """How far it is from another wheel, along a direction (m)."""
         pairs = zip(self.position, other.position, direction, strict=True)
@@ -2021,6 +2039,14 @@ class Drive(NamedTuple):
     def distance(self) -> float:
         """How far to the left of the first right wheel the first left one is, along its axis (m)."""
         return self.left.ahead_of(self.right, self.left.axis)
+
+    @property
+    def distance_of_middles(self) -> float:
+        """The same between the middles of their shapes; nan where these are not known."""
+        left, right = self.left.middle, self.right.middle
+        if left is None or right is None:
+            return math.nan
+        return self.left._replace(position=left).ahead_of(self.right._replace(position=right), self.left.axis)
 
     @property
     def axle_distance(self) -> float:
@@ -2149,6 +2175,13 @@ class Transmission(JointNames):
         """Its type with its place: a child element, or an attribute."""
         child = self.find("type")
         return child.own_value if child is not None else self.attribute("type")
+
+    @property
+    def is_of_ros_2(self) -> bool:
+        """Is its package one of ROS 2, where nothing reads what is for ros_control?"""
+        from sdfcheck.files.packages import is_of_ros_2
+
+        return is_of_ros_2(self.document.path)
 
     @property
     def actuators(self) -> tuple[Element, ...]:

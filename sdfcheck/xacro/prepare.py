@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
@@ -17,6 +18,7 @@ from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.problems import (
     ExpansionFailure,
     Failure,
+    Mismatch,
     MissingXacroPrefix,
     OddParameter,
     Problem,
@@ -27,6 +29,7 @@ from sdfcheck.xacro.problems import (
     UndefinedProperty,
     UnevaluatedExpression,
     UnknownPackage,
+    WrongMacroArguments,
     WrongXacroAttribute,
     XacroIncludeCycle,
     dormant,
@@ -283,8 +286,14 @@ def stops(problem: Problem) -> bool:
     return isinstance(problem, UndefinedArgument | UndefinedBlock)
 
 
+_NAME_ALONE = re.compile(r"\$\{\s*\w+\s*\}")
+
+
 def _merged(found: list[Problem]) -> Iterator[Problem]:
-    """The first of the problems of one kind at one place, and of those with one undefined name."""
+    """The first of the problems of one kind at one place, and of those with one undefined name.
+
+    Calls that give a macro what it asks for without taking it follow from that.
+    """
     names: dict[tuple[type, str], list[UndefinedMacro | UndefinedProperty]] = {}
     seen = set()
     for problem in found:
@@ -294,7 +303,7 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         seen.add(key)
         if isinstance(problem, UndefinedMacro | UndefinedProperty):
             names.setdefault((type(problem), problem.name), []).append(problem)
-        else:
+        elif not (isinstance(problem, WrongMacroArguments) and _is_asked_for(problem, found)):
             yield problem
     for first, *others in names.values():
         places = tuple(other.span for other in others)
@@ -302,12 +311,32 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         yield first.changed(others=places, ends=ends)
 
 
+def _is_asked_for(call: WrongMacroArguments, found: list[Problem]) -> bool:
+    """Is a parameter that a macro does not take undefined in its body?"""
+    macro = call.definition
+    if macro is None or call.kind is not Mismatch.UNKNOWN:
+        return False
+    end = macro.source.text.find("</xacro:macro>", macro.start)
+    return any(
+        isinstance(each, UndefinedProperty)
+        and each.name in call.names
+        and each.span.source is macro.source
+        and macro.start < each.span.start < end
+        for each in found
+    )
+
+
 def _subject(problem: Problem) -> object:
-    """The subject of a problem: a package, argument or key that is not known is one, wherever it is asked for."""
+    """The subject of a problem: a package, argument or key that is not known is one, wherever it is asked for.
+
+    So is a value that is wrong, where an expression is only its name.
+    """
     if isinstance(problem, UnknownPackage):
         return problem.name
     if isinstance(problem, ExpansionFailure) and (problem.kind is Failure.ARGUMENT or problem.is_absence):
         return problem.detail
+    if isinstance(problem, ExpansionFailure) and _NAME_ALONE.fullmatch(problem.span.text):
+        return problem.span.text, problem.detail
     return problem.span.source.path, problem.span.start, problem.span.end
 
 

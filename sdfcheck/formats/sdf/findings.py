@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 from sdfcheck.formats import history, problems
 from sdfcheck.formats.findings import (
@@ -17,11 +18,13 @@ from sdfcheck.formats.findings import (
 )
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
+from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import read_at
-from sdfcheck.formats.urdf.schema import urdf
+from sdfcheck.formats.urdf.schema import all_settings, urdf
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
+from sdfcheck.source.sniff import Kind
 
 _NUMBERS = frozenset(("double", "float", "int", "unsigned int", "vector2d", "vector3", "pose"))
 
@@ -29,6 +32,32 @@ _NUMBERS = frozenset(("double", "float", "int", "unsigned int", "vector2d", "vec
 def _holds(element: Element, meant: Definition) -> bool:
     """Whether an element holds numbers that another one accepts."""
     return meant.type in _NUMBERS and bool(element.content and meant.accepts(element.content))
+
+
+def _setting(name: str, block: Definition) -> str | None:
+    """The setting of a ``<gazebo>`` block that libsdformat writes as an element of a name."""
+    for each, setting in all_settings().items():
+        if (
+            setting.about == block.name
+            and not setting.negated
+            and name in {path[-1] for path in setting.counterparts}
+        ):
+            return each
+    return None
+
+
+def _same(text: str) -> Callable[[str], bool]:
+    """Says whether a text has the same numbers, or words."""
+
+    def numbers(text: str) -> list[float] | list[str]:
+        words = text.lower().split()
+        try:
+            return list(map(float, words))
+        except ValueError:
+            return words
+
+    wanted = numbers(text)
+    return lambda other: numbers(other) == wanted
 
 
 # Where an element that is in the wrong place was meant to be.
@@ -170,14 +199,23 @@ class SdfFindings(Findings):
             return
         if child.span.start >= self.unclosed:
             return
-        suggestion = suggest(name, place.children)
+        suggestion = suggest(name, place.children) or _setting(name, place)
         if places := history.known_parents(name, self.version):
             places = likely_parents(places, parent, place)
             ignored = name not in _FOUND_ANYWHERE
-            self.found.append(problems.MisplacedElement(child, parent, places, suggestion, ignored))
+            # Drake refuses SDFormat for it, whatever it says.
+            is_default = self.document.kind is not Kind.SDF and self.is_default(child)
+            found = problems.MisplacedElement(child, parent, places, suggestion, ignored, is_default)
+            self.found.append(found)
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
+
+    def is_default(self, element: Element) -> bool:
+        """Has an element the value that holds wherever one of its name is not written?"""
+        known = (schema(self.version).at(each.place) for each in history.known_places(element.name))
+        defaults = [each.given_default for each in known if each is not None]
+        return bool(element.content) and bool(defaults) and all(map(_same(element.content), defaults))
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)

@@ -60,7 +60,15 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.likely_mistakes import missing_prefixes, oversights, parameter_place
-from sdfcheck.xacro.static.project import definer, includers, is_included, is_whole, passed, project_names
+from sdfcheck.xacro.static.project import (
+    definer,
+    includers,
+    is_included,
+    is_whole,
+    passed,
+    possible_files,
+    project_names,
+)
 
 # Expressions that are wrong whatever the values: recognized by the text alone.
 
@@ -271,7 +279,19 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
             near = guess(document, call.name, known if visible.is_open else known | elsewhere, surely=True)
             if near is None or call.name in elsewhere:
                 continue
+        if _may_be_included(call.name, document, visible):
+            continue
         yield UndefinedMacro(_called(call), call.name, near, ends=_ends(call))
+
+
+def _may_be_included(macro: str, document: Document, visible: Definitions) -> bool:
+    """Is a macro in a file to which the path of an include leads with another value of an argument?"""
+    path = definer(document, "macro", macro)
+    return path is not None and any(
+        path in possible_files(document, each.filename, read.document.path)
+        for read in visible.readings
+        for each in read.includes
+    )
 
 
 def _called(call: Call) -> Span:

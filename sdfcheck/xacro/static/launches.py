@@ -317,6 +317,8 @@ class _Python:
             if name == "Command" and call.args:
                 command = self._around.resolved(self._text(call.args[0]))
                 yield from _of_command(command, is_text=self._is_text)
+            elif name == "ExecuteProcess":
+                yield from self._of_process(call)
             elif name in {"process_file", "process"} and call.args:
                 mappings = next((each.value for each in call.keywords if each.arg == "mappings"), None)
                 yield from self._of_pairs(call.args[0], mappings or ast.Dict([], []), {})
@@ -324,6 +326,13 @@ class _Python:
                 file = self._text(call.args[0]).rpartition("/")[2]
                 if file.endswith((".urdf", ".xacro")) and _UNKNOWN not in file:
                     yield _Use(file, {}, is_expanded=self._is_expander)
+
+    def _of_process(self, call: ast.Call) -> Iterator[_Use]:
+        """The use in a process that runs xacro itself, up to a pipe."""
+        words = next((each.value for each in call.keywords if each.arg == "cmd"), None)
+        command = " ".join(map(self._text, words.elts)) if isinstance(words, ast.List) else ""
+        if command.startswith("xacro "):
+            yield from _of_command(self._around.resolved(command.partition("|")[0]), is_text=True)
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         self._given = given

@@ -158,6 +158,21 @@ def is_called(document: Document, macro: str) -> bool:
     return library is None or macro in _project(library, document).written(_CALL)
 
 
+def namesake_has(document: Document, link: str) -> bool:
+    """Has another robot of the project, of the same name, a link that this one has not, and may be a part of it?"""
+    library, root = library_of(document), document.root
+    robot = root.text_of("name", "") if root is not None else ""
+    if library is None or not robot:
+        return False
+    asked = (("robot", robot), ("link", link))
+    patterns = [re.compile(rf'<{kind}\s(?:[^<>]*\s)?name="{re.escape(name)}"') for kind, name in asked]
+    own, others = library.disk.real(document.path), _project(library, document).paths
+    return any(
+        library.disk.real(path) != own and all(each.search(text) for each in patterns)
+        for path, text in ((path, text_of(path)) for path in others)
+    )
+
+
 def names_beside(document: Document, path: Path, pattern: str) -> frozenset[str]:
     """The names, by the group of a pattern, in the project's xacro files, if several of them include this one."""
     library = library_of(document)

@@ -208,3 +208,49 @@ def test_names_in_a_configuration_are_suggested_where_they_may_be_meant(tmp_path
     config.write_text('<model><name>m</name><version>1</version><sdf version="1.12">modl.sdf</sdf></model>')
     found = [diagnostic.message for diagnostic in sdfcheck.lint(config, isolated=True).diagnostics]
     assert any("did you mean `model.sdf`?" in message for message in found)
+
+
+MOVED = '<gazebo reference="a"><slip1>{}</slip1></gazebo>'
+WORLD = (
+    '<robot name="r"{}><link name="a"/>'
+    '<joint name="j" type="fixed"><parent link="world"/><child link="a"/></joint></robot>'
+)
+MASS = '<sdf version="1.12"><model name="m"><link name="a"><inertial><mass>{}</mass></inertial></link></model></sdf>'
+STATE = '<robot name="r">{}<group_state name="home" group="legs"/></robot>'
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "code", "severity"),
+    [
+        (f'<robot name="r"><link name="a"/>{MOVED.format("0.0")}</robot>', "a.urdf", "SCH003", "warning"),
+        (f'<robot name="r"><link name="a"/>{MOVED.format("0.1")}</robot>', "a.urdf", "SCH003", "error"),
+        (SDF.format("<slip1>0.0</slip1>"), "a.sdf", "SCH003", "error"),
+        (WORLD.format(' xmlns:drake="http://drake.mit.edu"'), "a.urdf", "JNT001", "warning"),
+        (WORLD.format(""), "a.urdf", "JNT001", "error"),
+        (MASS.format("1 1"), "a.sdf", "SCH012", "warning"),
+        (MASS.format("1 2"), "a.sdf", "SCH012", "error"),
+        ('<gazebo reference="a"/>', "gazebo.urdf", "XML009", "warning"),
+        ("<html/>", "gazebo.urdf", "XML009", "error"),
+        (STATE.format(""), "r.srdf", "SRD002", "warning"),
+        (STATE.format('<group name="arm"><link name="a"/></group>'), "r.srdf", "SRD002", "error"),
+    ],
+)
+def test_it_is_an_error_only_where_somebody_gets_another_robot(
+    text: str, name: str, code: str, severity: str
+) -> None:
+    found = sdfcheck.lint(text, name=name, isolated=True).diagnostics
+    assert [each.severity.value for each in found if each.code == code] == [severity]
+
+
+@pytest.mark.parametrize(("tool", "severity"), [("catkin", "error"), ("ament_cmake", "warning")])
+def test_nothing_reads_a_transmission_of_ros_control_in_ros_2(
+    tool: str, severity: str, tmp_path: Path
+) -> None:
+    manifest = f"<package><name>p</name><buildtool_depend>{tool}</buildtool_depend></package>"
+    (tmp_path / "package.xml").write_text(manifest)
+    interface = "<hardwareInterface>hardware_interface/EfortJointInterface</hardwareInterface>"
+    drive = f'<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j">{interface}'
+    drive += '</joint><actuator name="m"/></transmission>'
+    (tmp_path / "a.urdf").write_text(URDF.format("").replace("</robot>", f"{drive}</robot>"))
+    found = sdfcheck.lint(tmp_path / "a.urdf", isolated=True).diagnostics
+    assert [each.severity.value for each in found if each.code == "URD028"] == [severity]

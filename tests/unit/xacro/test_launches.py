@@ -50,6 +50,13 @@ folder = get_package_share_directory("bot")
 path = os.path.join(folder, "urdf", "bot.urdf.xacro")
 robot = xacro.process_file(path, mappings={"side": "right", "gripper": "true", "tool": choose()})
 """
+PROCESS = """
+ExecuteProcess(
+    cmd=["xacro", PathJoinSubstitution([FindPackageShare("bot"), "urdf", "bot.urdf.xacro"]), "side:=right",
+         "gripper:=true", "|", "ros2", "run", "gazebo_ros", "spawn_entity.py", "-stdin", "-entity", "bot"],
+    shell=True,
+)
+"""
 
 
 @pytest.fixture
@@ -76,6 +83,7 @@ def found(capsys: pytest.CaptureFixture[str]) -> list[str]:
         ("bot.launch.py", PYTHON),
         ("view_launch.py", MAPPINGS),
         ("view.py", MAPPINGS),
+        ("spawn.launch.py", PROCESS),
     ],
 )
 def test_the_robot_is_expanded_as_it_is_launched(

@@ -157,7 +157,7 @@ def test_a_file_of_another_package_is_another_file(folder: Path) -> None:
     whole = ROBOT.format('<link name="torso"/><xacro:include filename="$(find nowhere_near)/part.xacro"/>')
     (folder / "whole.xacro").write_text(whole)
     joint = '<joint name="j" type="fixed"><parent link="torso"/><child link="b"/></joint>'
-    assert ("JNT001", "error") in found(folder, f'<link name="b"/>{joint}', "part.xacro")
+    assert ("JNT001", "warning") in found(folder, f'<link name="b"/>{joint}', "part.xacro")
 
 
 @pytest.mark.parametrize(
@@ -173,7 +173,7 @@ def test_a_package_that_is_not_there_had_two_folders_of_the_part(
     )
     joint = '<joint name="j" type="fixed"><parent link="torso"/><child link="b"/></joint>'
     assert (
-        ("JNT001", "error") not in found(folder, f'<link name="b"/>{joint}', "robots/parts/arm.urdf")
+        ("JNT001", "warning") not in found(folder, f'<link name="b"/>{joint}', "robots/parts/arm.urdf")
     ) == is_part
 
 
@@ -263,3 +263,35 @@ def test_a_macro_that_nobody_calls_stops_nothing(folder: Path) -> None:
         ROBOT.format('<xacro:include filename="wheel.xacro"/><xacro:wheel r="1"/>')
     )
     assert found(folder, name="wheel.xacro") == [("XAC001", "error")]
+
+
+def test_a_wrong_value_is_one_mistake_wherever_it_is_asked_for(folder: Path) -> None:
+    uses = '<xacro:if value="${cut}"><link name="b"/></xacro:if>' * 2
+    macro = f'<xacro:macro name="m" params="cut">{uses}</xacro:macro>'
+    text = f'<xacro:arg name="cut" default="flase"/>{macro}<link name="a"/><xacro:m cut="$(arg cut)"/>'
+    assert found(folder, text) == [("XAC001", "error")]
+
+
+def test_a_parameter_that_a_macro_asks_for_and_does_not_take_is_one_mistake(folder: Path) -> None:
+    macro = '<xacro:macro name="m" params=""><link name="${side}"/></xacro:macro>'
+    calls = '<xacro:m side="l"/><xacro:m side="r"/>'
+    assert found(folder, f"{macro}{calls}") == [("XAC004", "error")]
+
+
+def test_a_macro_may_be_in_a_file_that_another_argument_includes(folder: Path) -> None:
+    for name in ("arm_short", "arm_long"):
+        macro = f'<xacro:macro name="{name}" params=""><link name="{name}"/></xacro:macro>'
+        (folder / f"{name}.xacro").write_text(PART.format(macro))
+    text = (
+        '<xacro:arg name="size" default="short"/><xacro:include filename="arm_$(arg size).xacro"/>'
+        "<xacro:if value=\"${'$(arg size)' == 'short'}\"><xacro:arm_short/></xacro:if>"
+        "<xacro:if value=\"${'$(arg size)' == 'long'}\"><xacro:arm_long/></xacro:if>"
+    )
+    assert found(folder, text) == []
+
+
+def test_a_part_of_a_robot_that_nobody_includes_lacks_a_link_with_a_warning(folder: Path) -> None:
+    found(folder, '<link name="hand"/>')
+    part = '<link name="tip"/><joint name="j" type="fixed"><parent link="{}"/><child link="tip"/></joint>'
+    assert found(folder, part.format("hand"), "tip.xacro") == [("JNT001", "warning")]
+    assert found(folder, part.format("arm"), "tip.xacro") == [("JNT001", "error")]
