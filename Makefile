@@ -6,9 +6,10 @@
 # make docs     build the documentation site into build/site; broken links are errors
 # make package  build the source distribution and the wheel into build/dist, and try both
 # make man      write the manual page build/man/sdfcheck.1
+# make publish-site  build the site of this release into the branch gh-pages, beside those of others; PUSH=--push sends it
 # make release-check  try both distributions in empty environments, with each Python from 3.10 on that is installed
 # make vscode   test, compile and package the extension for Visual Studio Code (needs node); vscode-check: only test
-# make picture  draw the terminal of the README again
+# make picture  draw the terminal and the badges of the README again
 # make viewer   check and build the scripts of the pages for browsers, from viewer/ (needs node); viewer-check: only check
 # make gallery  draw the pictures of docs/gallery.md again (needs Chromium)
 # make fuzz     run every command on texts that nobody would write, for MINUTES from SEED
@@ -35,7 +36,7 @@ SITE_TOOLS := $(VENV)/.installed-docs
 CONDITIONS := rules/conditions.py
 RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo tools man release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
+.PHONY: demo tools man publish-site versions release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
 
 demo: $(RUNTIME) $(CONDITIONS)
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
@@ -122,6 +123,16 @@ bench: pyproject.toml setup.py
 docs: $(SITE_TOOLS)
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
+# Corrections of a release replace its pages: 0.1.0 and 0.1.1 are both 0.1.
+publish-site: $(SITE_TOOLS)
+	release=$$($(BIN)/python -c 'from sdfcheck.release import __version__; print(__version__.rpartition(".")[0])') && \
+	export NO_MKDOCS_2_WARNING=1 PATH="$(abspath $(BIN)):$$PATH" && \
+	mike --quiet deploy --update-aliases $(PUSH) "$$release" latest && \
+	mike --quiet set-default $(PUSH) latest
+
+versions: $(SITE_TOOLS)
+	$(BIN)/python -m pytest -q -n0 tests/test_site.py
+
 vscode: vscode-check
 	cp docs/sdfcheck.schema.json LICENSE editors/vscode/
 	cd editors/vscode && npm run --silent package
@@ -179,6 +190,7 @@ newest: pyproject.toml
 
 picture: $(TOOLS)
 	$(BIN)/python -m tables.picture
+	$(BIN)/python -m tables.badges
 
 viewer: viewer-check
 	cd viewer && npm run --silent build

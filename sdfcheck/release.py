@@ -13,4 +13,4 @@ REPOSITORY = "https://github.example/sdfcheck/sdfcheck"
 
 def rule_page(name: str) -> str:
     """The address of the page about a rule or a kind of loss."""
-    return f"{HOME}/rules/{name}/"
+    return f"{HOME}/latest/rules/{name}/"

@@ -48,6 +48,16 @@ def test_the_commands_that_run_exist() -> None:
     assert (ROOT / ".ci" / "run").exists()
 
 
+def test_only_the_site_is_written_for_a_tag() -> None:
+    text = (ROOT / ".github" / "workflows" / "site.yml").read_text("utf-8")
+    workflow: dict[Any, Any] = yaml.safe_load(text)  # `on` is a truth of YAML
+    assert workflow[True] == {"push": {"tags": ["v*"]}}
+    assert workflow["permissions"] == {"contents": "read"}
+    assert [job["permissions"] for job in workflow["jobs"].values()] == [{"contents": "write"}]
+    assert set(re.findall(r"uses: (.*)", text)) <= set(re.findall(r"uses: (.*)", TEXT))
+    assert re.search("^publish-site:", (ROOT / "Makefile").read_text("utf-8"), re.MULTILINE)
+
+
 def test_a_tag_is_compared_with_what_is_there() -> None:
     assert f'__version__ = "{__version__}"' in (ROOT / "sdfcheck" / "release.py").read_text("utf-8")
 

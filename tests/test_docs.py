@@ -14,6 +14,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from sdfcheck.cli.main import main
+from sdfcheck.release import HOME, rule_page
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -52,6 +53,9 @@ def test_the_tutorial_shows_what_happens(
     monkeypatch.chdir(tmp_path)
     page = DOCS / "tutorial.md"
     text = page.read_text(encoding="utf-8")
+    assert (
+        next(blocks(page, "xml")).strip() == (tmp_path / "courier.urdf").read_text(encoding="utf-8").strip()
+    )
     shown, at = "", 0
     for match in _BLOCK.finditer(text):
         for words, (old, new) in EDITS.items():
@@ -101,6 +105,19 @@ def test_reports_follow_their_schema(capsys: pytest.CaptureFixture[str]) -> None
     assert set(found) == set(schema["$defs"]["diagnostic"]["properties"]), "every key is documented"
     page = (DOCS / "output.md").read_text(encoding="utf-8")
     assert [key for key in (*report, *found, *report["summary"]) if f"`{key}`" not in page] == []
+
+
+def test_badges_say_what_is_so() -> None:
+    from tables.badges import FOLDER, badges
+
+    for name, picture in badges().items():
+        assert (FOLDER / name).read_text(encoding="utf-8") == picture, "make picture"
+        assert {element.tag.rpartition("}")[2] for element in ElementTree.fromstring(picture).iter()} <= {
+            *("svg", "title", "clipPath", "g", "rect", "text")
+        }, "nothing that could load from elsewhere"
+    (line,) = blocks(DOCS / "ci.md", "markdown")
+    assert f"({rule_page('x').partition('rules/')[0]}assets/badge.svg)" in line
+    assert f"]({HOME})" in line
 
 
 def test_the_picture_of_the_readme_is_of_this_version() -> None:

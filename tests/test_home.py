@@ -21,7 +21,7 @@ def test_addresses_begin_at_home() -> None:
 
 def test_each_built_in_rule_has_a_page() -> None:
     for facts in load_index().facts:
-        assert facts.page == f"{HOME}/rules/{facts.name}/"
+        assert facts.page == f"{HOME}/latest/rules/{facts.name}/"
         assert (ROOT / "docs" / "rules" / f"{facts.name}.md").is_file()
 
 

@@ -100,7 +100,7 @@ def _renaming(problem: problems.DeprecatedElement) -> Fix:
         edits = (TextEdit(problem.value.span, name),)
         if problem.settings is not None:
             edits += _renamed(problem.settings, name.removeprefix("gpu_"))
-    return make_fix(f"rename it to {name}", edits, unsafe=True)
+    return make_fix(f"rename it to `{name}`", edits, unsafe=True)
 
 
 def _renamed(element: Element, name: str) -> tuple[TextEdit, ...]:

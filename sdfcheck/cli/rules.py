@@ -101,6 +101,8 @@ def test(pack: str, selectors: tuple[str, ...]) -> int:
     faults = () if selectors else bench.faults
     lines = [*map(str, faults), *filter(None, (trial.failure() for trial in trials))]
     counts = f"{counted(len(trials), 'example')} of {counted(len(codes), 'rule')}"
+    if bench.tables:
+        counts += f" and {counted(len(bench.tables), 'table')}"
     failed = len(lines) - len(faults)
     outcome = f"{counts}: {failed} failed" if failed else f"{counts}: all as expected"
     left_out = f"; {counted(len(faults), 'fault')} in the pack" if faults else ""

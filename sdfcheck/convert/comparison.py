@@ -107,7 +107,7 @@ class Verification(Record):
     def __str__(self) -> str:
         counts = {"link": self.links, **self.counts, "configuration": self.configurations}
         said = [f"{n} {word}{'s' * (n != 1)}" for word, n in counts.items() if n or word == "link"]
-        return f"{', '.join(said)}, max pose error {max(self.position, self.angle):.0e} m"
+        return f"{', '.join(said)}, max pose error {max(self.position, self.angle):.1g} m"
 
 
 # Proof that settings have arrived: each that the source has is in the result, or is reported as a loss.

@@ -433,7 +433,8 @@ class Trial:
         verb = "does not load it" if answer.outcome is Outcome.REFUSED else "cannot run it"
         after = ", as URDF" if self.subject.converted else ""
         text = f"model `{self.subject.model.name}`: {self.title} {answer.version} {verb}{after}: {why}"
-        return self._found(SimKind.NOT_LOADED, self.subject.model.element, text, "error")
+        found = self._found(SimKind.NOT_LOADED, self.subject.model.element, text, "error")
+        return found._replace(help=f"look for the reason with `sdfcheck lint --target {self.engine.value}`")
 
     def _masses(self, bodies: Mapping[str, Any]) -> Iterator[Diagnostic]:
         given: dict[str, float] = {}

@@ -90,7 +90,7 @@ class Description(NamedTuple):
     name: str
     """The names that lead there: ``joint/axis``, ``pose/@degrees``."""
     format: str
-    """``SDFormat 1.12``, ``URDF``, ``Drake (SDFormat)``."""
+    """``SDFormat 1.12``, ``URDF``, ``Drake, SDFormat``."""
     what: str
     """``element`` or ``attribute``."""
     type: str = ""
@@ -402,7 +402,7 @@ def _slots(steps: tuple[str, ...], tables: list[_Table]) -> tuple[Description, .
 
 
 def _empty(table: _Table, name: str, what: str, tag: Tag) -> Description:
-    title = f"{table.vendor.name} ({_FORMATS[table.dialect]})"
+    title = f"{table.vendor.name}, {_FORMATS[table.dialect]}"
     since = f"{table.vendor.name} {tag.since}" if tag.since else ""
     about = summary(table.vendor.prefix, (tag.name,)) if name == tag.name else ""
     return Description(name=name, format=title, what=what, since=since, summary=about)
@@ -590,7 +590,7 @@ def describe_custom(
     """The entry of a vendor's table for a prefixed element or attribute (``@name``, ``element/@name``)."""
     own = tuple(name.split("/"))
     prefix = own[0].removeprefix("@").partition(":")[0]
-    wanted = "(URDF)" if is_urdf else "(SDFormat)"
+    wanted = "URDF" if is_urdf else "SDFormat"
     for steps in ((*outer[-1:], *own), own):
         try:
             found = describe_vendor(prefix, steps, tables)

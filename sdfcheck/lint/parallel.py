@@ -45,7 +45,7 @@ def run_in_parallel(
     jobs = min(jobs or MOST, processors(), len(found.files) // LEAST)
     if jobs < 2:
         with Linter(options) as linter:
-            return joined([linter.lint(found, progress=progress, notify=notify)])
+            return joined([linter.lint(found, progress=progress, notify=notify)], notify)
     # One process needs none of it.
     from sdfcheck.lint.processes import by_processes, portions, run_of
 

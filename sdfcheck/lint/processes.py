@@ -186,7 +186,7 @@ def run_of(results: Sequence[Sequence[Done]], options: Options, notify: Notify |
             notify(notice)
     parts = [each.part for each in done]
     parts[0] = parts[0]._replace(rules=rules_for((path for part in parts for path in part.files), options))
-    return joined(parts)
+    return joined(parts, notify)
 
 
 def by_processes(

@@ -37,8 +37,14 @@ class UnknownSelector(WrongUsage):
         super().__init__(f"unknown rule `{selector}`{guess}")
 
 
+_FEW = 5
+
+
 def _others(code: str, rules: Sequence[RuleFacts]) -> str:
-    """For a code that nothing has: those that its family has."""
+    """For a code that nothing has: those that its family has; for a part of a name: the names with that part."""
+    alike = sorted(facts.name for facts in rules if "-" in code and code.lower() in facts.name)
+    if 0 < len(alike) <= _FEW:
+        return f"; did you mean {' or '.join(f'`{name}`' for name in alike)}?"
     own = sorted(facts.code for facts in rules if code.upper().rstrip("0123456789") == facts.family)
     return f"; {own[0].rstrip('0123456789')} has {own[0]} to {own[-1]}" if own else ""
 

@@ -134,7 +134,7 @@ def run(
     """
     options = options.about(paths)
     with Linter(options) as linter:
-        return joined([linter.lint(find(paths, options), progress=progress, notify=notify)])
+        return joined([linter.lint(find(paths, options), progress=progress, notify=notify)], notify)
 
 
 class Linter:
@@ -200,8 +200,13 @@ def _report_faults(faults: Sequence[Fault], notify: Notify | None) -> None:
         notify(Notice(Level.FAILURE, str(fault)))
 
 
-def joined(parts: Sequence[Part]) -> Run:
-    """The run that consists of some parts, in order."""
+def joined(parts: Sequence[Part], notify: Notify | None = None) -> Run:
+    """The run that consists of some parts, in order, with one notice of all pointers of Git LFS."""
+    skipped = sorted(entry for part in parts for entry in part.skipped)
+    pointers = [path for path, reason in skipped if reason == _looks_like(Kind.LFS_POINTER)]
+    if pointers:
+        first = f"{pointers[0]}" + (f" and {len(pointers) - 1} more" if pointers[1:] else "")
+        (notify or _nobody)(Notice(Level.WARNING, f"{first}: {_POINTERS}"))
     files = [path for part in parts for path in part.files]
     may_clash = len(parts) > 1 and any(part.foreign for part in parts)
     own = set(map(Disk().real, files)) if may_clash else set()
@@ -224,7 +229,7 @@ def joined(parts: Sequence[Part]) -> Run:
     return Run(
         tuple(diagnostics),
         tuple(files),
-        tuple(sorted(entry for part in parts for entry in part.skipped)),
+        tuple(skipped),
         sum(part.suppressed for part in parts) + sum(silenced for _, silenced in foreign.values()),
         rules=tuple(rules[code] for code in sorted(rules)),
     )
@@ -303,7 +308,7 @@ def selected(
         if isinstance(taken, Selected):
             yield taken
         else:
-            skipped.append((file.path, f"looks like {taken.description}"))
+            skipped.append((file.path, _looks_like(taken)))
 
 
 def _look(file: DiscoveredFile, options: Options, notify: Notify) -> Selected | Kind:
@@ -342,6 +347,13 @@ def _judge(file: DiscoveredFile, head: bytes, options: Options, notify: Notify) 
         return Selected(file.path, head, kind)
     if action is not Treatment.SKIP:
         level = {Treatment.NOTICE: Level.NOTE, Treatment.WARN: Level.WARNING}.get(action, Level.FAILURE)
-        advice = ", fetch it with `git lfs pull`" if kind is Kind.LFS_POINTER else ""
-        notify(Notice(level, f"{file.path}: looks like {kind.description}, not linted{advice}"))
+        if kind is not Kind.LFS_POINTER:  # one notice for all of them
+            notify(Notice(level, f"{file.path}: {_looks_like(kind)}, not linted"))
     return kind
+
+
+def _looks_like(kind: Kind) -> str:
+    return f"looks like {kind.description}"
+
+
+_POINTERS = "only pointers of Git LFS are here, not linted; fetch the files with `git lfs pull`"

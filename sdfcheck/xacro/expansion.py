@@ -263,6 +263,9 @@ class Expansion(NamedTuple):
         what = f"`{span.text}` cannot be expanded"
         if isinstance(first, UnknownPackage):
             what = f"package `{first.name}` is not found"
+        wanted = (f"`{each.detail}:=…`" for each in self.problems if _is_missing_argument(each))
+        if _is_missing_argument(first):
+            what = f"arguments without a value: {', '.join(dict.fromkeys(wanted))}"
         return f"{span.source.path}:{span.begin.line}:{span.begin.column}: {what}"
 
 

@@ -250,7 +250,7 @@ def test_completion_without_trust_knows_no_table(table: Path, tmp_path: Path) ->
 
 def test_hover(workspace: Workspace, tmp_path: Path) -> None:
     text = urdf('<mujoco:excl|ude body1="a" body2="b"/>')
-    assert "**`mujoco:exclude`** · MuJoCo (URDF) element" in Editor(workspace, tmp_path, text).hover
+    assert "**`mujoco:exclude`** · MuJoCo, URDF element" in Editor(workspace, tmp_path, text).hover
     text = urdf(dynamics=' mujoco:arma|ture="1"')
     assert "range at least 0" in Editor(workspace, tmp_path, text).hover
 

@@ -245,12 +245,12 @@ _MEANT = {
 
 
 def _no_option(name: str, known: list[str]) -> str:
-    from sdfcheck.formats.near_names import nearest
+    from sdfcheck.formats.near_names import suggest
 
     meant = _MEANT.get(name, "")
     if meant.startswith("--") and meant.partition(" ")[0] not in known:
         meant = ""
-    meant = meant or nearest(name, known) or ""
+    meant = meant or suggest(name, known) or ""
     return f"no such option: {name}" + (f"; try `{meant}`" if meant else "")
 
 

@@ -87,7 +87,7 @@ def _bar(stream: TextIO, width: int | None) -> Bar:
 
     class Rate(ProgressColumn):
         def render(self, task: Task) -> Text:
-            return Text(f"{task.speed:.3g} files/s" if task.speed else "")
+            return Text(f"{task.speed:.0f} files/s" if task.speed else "")
 
     console = Console(file=stream, force_terminal=True, width=width, highlight=False)
     return Drawn(

@@ -102,7 +102,7 @@ class _Reader:
             name, namespace = (*fields[1:3], "")[:2]
             self.vendor = Vendor(self.prefix, name, namespace, Keys(_keys(fields[3:]), self.dialect))
         elif self.vendor is None:
-            raise BadTable("the line `vendor` comes first")
+            raise BadTable("the line `vendor` comes first, its fields separated by tabs")
         elif head in {"reads", "unknown"} and len(fields) > 2 and fields[1] in DIALECTS:
             self.convention(head, *fields[1:])
         else:

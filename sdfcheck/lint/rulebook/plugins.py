@@ -597,7 +597,7 @@ def _facts(pack: Pack, *, anew: bool) -> tuple[list[tuple[RuleFacts, str]], tupl
         return [(fact, at(index, 1)) for fact in _indexed(pack)], ()
     rules, faults = load_rules(pack)
     if not rules and not faults and not any(pack.folder.glob(f"*{SUFFIX}")):
-        raise PackError("there are no rules in it", pack.name)
+        raise PackError(f"there are neither rules nor tables (*{SUFFIX}) in it", pack.name)
     facts = [describe(rule) for rule in rules]
     if has_index(pack) and pack.name != BUILT_IN and sorted(facts) != sorted(_indexed(pack)):
         faults = (*faults, Fault(at(index, 1), f"the index is not up to date; {_WRITE_IT.format(pack.name)}"))

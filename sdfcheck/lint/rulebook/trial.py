@@ -87,6 +87,7 @@ class Bench:
         self.facts = tuple(sorted(loaded.facts))
         self.rules: tuple[type[Rule], ...] = tuple(type(index.rule(facts)) for facts in self.facts)
         self.faults = loaded.faults
+        self.tables = loaded.tables
         self.strict = frozenset(strict)
         self.lint = ExampleRunner(index, index.facts).lint
 

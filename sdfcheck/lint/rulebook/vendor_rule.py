@@ -206,7 +206,7 @@ class VendorRule(Rule):
         element = tag.element
         spans = (tag.span, None if element is None else element.document.spans.end_name(element))
         edits = tuple(TextEdit(span, name) for span in spans if span is not None)
-        return make_fix(f"rename it to {name}", edits, unsafe=True)
+        return make_fix(f"rename it to `{name}`", edits, unsafe=True)
 
 
 def _vendor(subject: VendorTag | VendorValue) -> str:

@@ -32,7 +32,7 @@ def test_the_result_goes_to_stdout_and_the_proof_to_stderr(
     assert run(urdf) == 0
     out, err = capsys.readouterr()
     assert out.startswith('<?xml version="1.0"?>\n<sdf version="1.12">')
-    assert err == "verified: 1 link, 1 configuration, max pose error 0e+00 m\n"
+    assert err == "verified: 1 link, 1 configuration, max pose error 0 m\n"
 
 
 def test_a_file_is_written_whole(urdf: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

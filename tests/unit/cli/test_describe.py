@@ -74,7 +74,7 @@ def test_the_table_of_a_pack(
     monkeypatch.chdir(tmp_path)
     assert main(["describe", "--trust-config", "acme:force"]) == 0
     assert capsys.readouterr().out.splitlines()[-7:] == [
-        "acme:force (Acme (URDF))",
+        "acme:force (Acme, URDF)",
         "  element, of type double",
         "  default  2",
         "  range    at least 0",

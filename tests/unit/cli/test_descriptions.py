@@ -126,6 +126,8 @@ def test_all_missing_arguments_are_named(tmp_path: Path, capsys: Capture) -> Non
         "width",
         "prefix",
     ]
+    assert main(["graph", "joints", "--isolated", str(file)]) == 2
+    assert "arguments without a value: `name:=…`, `width:=…`, `prefix:=…`" in capsys.readouterr().err
 
 
 @pytest.fixture

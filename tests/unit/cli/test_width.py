@@ -180,7 +180,7 @@ def test_codes_lead_to_the_pages_of_rules(monkeypatch: pytest.MonkeyPatch, tmp_p
     for name in ("NO_COLOR", "FORCE_COLOR", "CI"):
         monkeypatch.delenv(name, raising=False)
     Path("a.sdf").write_text(robot("plain"))
-    page = f"{HOME}/rules/unknown-frame/\x1b\\"
+    page = f"{HOME}/latest/rules/unknown-frame/\x1b\\"
 
     def written(*arguments: str) -> str:
         out = Terminal()

@@ -52,7 +52,7 @@ def differences(done: Conversion, text: str) -> list[tuple[str, str, str]]:
 def test_the_summary_says_what_was_compared() -> None:
     assert str(converted().verification) == (
         "2 links, 1 joint, 2 shapes, 3 custom elements, 1 material, 1 plugin, 1 sensor, 1 surface, "
-        "64 configurations, max pose error 0e+00 m"
+        "64 configurations, max pose error 0 m"
     )
 
 

@@ -83,7 +83,7 @@ def test_urdf() -> None:
 
 def test_drake_in_both_dialects() -> None:
     sdf, urdf = describe("drake:mu_dynamic")
-    assert (sdf.format, sdf.type, sdf.range) == ("Drake (SDFormat)", "double", "at least 0")
+    assert (sdf.format, sdf.type, sdf.range) == ("Drake, SDFormat", "double", "at least 0")
     assert [entry.name for entry in urdf.attributes] == ["@value"]
     properties = describe("drake:proximity_properties")[0]
     assert "drake:mu_static" in {child.name for child in properties.children}
@@ -99,7 +99,7 @@ def test_parts_of_drakes_elements() -> None:
     assert "planar" in sdf.choices
     assert "ball" in urdf.choices
     (narrowed,) = describe("joint/drake:controller_gains")
-    assert narrowed.format == "Drake (SDFormat)"
+    assert narrowed.format == "Drake, SDFormat"
 
 
 @pytest.mark.parametrize(

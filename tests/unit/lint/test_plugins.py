@@ -226,7 +226,7 @@ def test_programs_get_faults_as_an_exception() -> None:
     [
         ("gone", "sdfcheck.toml:1: plugin gone: no folder, no entry point `sdfcheck.rules` and no package"),
         ("./gone", "plugin gone: no such folder"),
-        ("empty", "there are no rules in it"),
+        ("empty", "there are neither rules nor tables (*.vendor.txt) in it"),
         ("./broken", "broken/__init__.py:2: ZeroDivisionError: division by zero"),
     ],
 )

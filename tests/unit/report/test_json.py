@@ -46,7 +46,7 @@ def test_json_of_a_diagnostic() -> None:
 def test_json_links_built_in_rules() -> None:
     built_in = facts(module="sdfcheck_rules.nam.taken_name")
     (found,) = parsed(OutputFormat.JSON, rich_diagnostic(), rules=(built_in,))["diagnostics"]
-    assert found["url"] == f"{HOME}/rules/taken-name/"
+    assert found["url"] == f"{HOME}/latest/rules/taken-name/"
 
 
 def test_json_of_a_run() -> None:

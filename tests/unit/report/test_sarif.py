@@ -134,7 +134,7 @@ def test_sarif_links_built_in_rules_and_only_those() -> None:
     assert driver["informationUri"] == HOME
     of_a_pack, built_in = driver["rules"]
     assert "helpUri" not in of_a_pack
-    assert built_in["helpUri"] == f"{HOME}/rules/taken-name/"
+    assert built_in["helpUri"] == f"{HOME}/latest/rules/taken-name/"
     assert built_in["helpUri"] in built_in["help"]["text"]
 
 
