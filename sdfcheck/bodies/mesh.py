@@ -103,6 +103,11 @@ def read_skin(path: Path, read: Read = read_regular) -> Skin | None:
     return _skin(_content(path, read))
 
 
+def read_triangles(path: Path, read: Read = read_regular) -> Points | None:
+    """The triangles (n, 3, 3) of a mesh file (m), without scale; None where they are not known. Raises OSError."""
+    return _triangles_in(_content(path, read))
+
+
 def _content(path: Path, read: Read) -> Content:
     data = read(path, LIMIT)
     promised = ENDINGS.get(path.suffix.lower(), "")
@@ -129,9 +134,14 @@ _MOST_TRIANGLES, _LEAST_TRIANGLES = 5_000_000, 1_000
 
 
 def _skin(content: Content) -> Skin | None:
-    import numpy as np
-
     from sdfcheck.bodies.solid import skin_of
+
+    triangles = _triangles_in(content)
+    return None if triangles is None else skin_of(triangles)
+
+
+def _triangles_in(content: Content) -> Points | None:
+    import numpy as np
 
     found, count = [], 0
     try:
@@ -142,7 +152,7 @@ def _skin(content: Content) -> Skin | None:
                 return None
     except _DECODING:
         return None
-    return skin_of(np.concatenate(found) if len(found) > 1 else found[0]) if found else None
+    return np.concatenate(found) if len(found) > 1 else found[0] if found else None
 
 
 def _article(name: str) -> str:

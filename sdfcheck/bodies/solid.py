@@ -368,3 +368,69 @@ def _box() -> Array:
 
 
 _BOX = _box()
+
+
+# Round parts: shafts and holes, by the edges that lie across their axis.
+
+
+_ROUND = 1.6 * math.pi
+"""So much of a circle is one, of edges that turn by less than _TURN each."""
+_TURN = 1.1
+_LEVEL, _CELL, _EVEN = 1e-5, 1e-4, 1e-3
+"""m: ends of an edge that is across, circles that are one; of a radius: that of both ends."""
+
+
+class Edges(NamedTuple):
+    """The edges of a body across an axis, each once: start and end (n, 2) in the plane, and height (n,), in m."""
+
+    starts: Array
+    ends: Array
+    heights: Array
+
+    def radii(self, place: Array) -> Array:
+        """The radii of the circles around a point of the plane."""
+        starts, ends = self.starts - place, self.ends - place
+        inner, outer = np.linalg.norm(starts, axis=1), np.linalg.norm(ends, axis=1)
+        turns = 2 * np.arcsin(np.clip(self._lengths / 2 / np.maximum(inner, _LEVEL), 0, 1))
+        even = (abs(inner - outer) < 2 * _LEVEL + _EVEN * inner) & (turns < _TURN)
+        cells = np.stack((inner, self.heights), axis=1)[even]
+        circles = _gathered(np.rint(cells / _CELL), turns[even], cells)
+        return circles[:, 0]
+
+    def centers(self, radius: float) -> Array:
+        """The centers (n, 2) of the circles of a radius."""
+        lengths = self._lengths
+        chosen = (lengths < radius) & (lengths > radius / 50)
+        lengths, starts, ends = lengths[chosen], self.starts[chosen], self.ends[chosen]
+        across = (ends - starts)[:, ::-1] * (-1, 1) / lengths[:, None]
+        reach = across * np.sqrt(radius**2 - lengths**2 / 4)[:, None]
+        middles = (starts + ends) / 2
+        found = np.concatenate((middles + reach, middles - reach))
+        heights, turns = np.tile(self.heights[chosen], 2), np.tile(2 * np.arcsin(lengths / 2 / radius), 2)
+        cells = np.column_stack((np.rint(found / max(2 * _CELL, radius / 100)), np.rint(heights / _CELL)))
+        return _gathered(cells, turns, found)
+
+    @property
+    def _lengths(self) -> Array:
+        return np.asarray(np.linalg.norm(self.ends - self.starts, axis=1))
+
+
+def edges_across(triangles: Array) -> Edges:
+    """The edges of triangles (n, 3, 3) across z."""
+    starts = triangles.reshape(-1, 3)
+    ends = np.roll(triangles, -1, axis=1).reshape(-1, 3)
+    level = (abs(starts[:, 2] - ends[:, 2]) < _LEVEL) & (abs(starts - ends).max(axis=1) > _LEVEL)
+    starts, ends = starts[level], ends[level]
+    # The two triangles at an edge have it in opposite directions.
+    once = (starts[:, 0] < ends[:, 0]) | ((starts[:, 0] == ends[:, 0]) & (starts[:, 1] < ends[:, 1]))
+    return Edges(starts[once, :2], ends[once, :2], starts[once, 2])
+
+
+def _gathered(cells: Array, turns: Array, values: Array) -> Array:
+    """The mean values of the cells whose turns are a circle."""
+    whole = (cells - cells.min(axis=0, initial=0)).astype(np.int64)
+    spans = whole.max(axis=0, initial=0) + 1
+    _, place = np.unique(np.ravel_multi_index(tuple(whole.T), spans), return_inverse=True)
+    sums = np.bincount(place, turns)
+    means = np.stack([np.bincount(place, column * turns) for column in values.T], axis=1) / sums[:, None]
+    return np.asarray(means[sums > _ROUND])

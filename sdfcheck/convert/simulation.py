@@ -26,7 +26,7 @@ from sdfcheck.files.uris import locate
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Moment, Origin, Severity, counted
 from sdfcheck.lint.kinds import SimKind
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mechanism import Joint, Mechanism
+from sdfcheck.robot.motion.mechanism import Joint, Mechanism, displaced
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import DescriptionError, WrongUsage
@@ -56,7 +56,7 @@ _DEPTH = 0.005
 _DEEP = 0.02
 """m: so deep a part is not by the hulls of meshes alone."""
 _SHALLOW = 0.15
-"""Of how thick the thinner part is: plain shapes are rounder or squarer than what they stand for."""
+"""Of how thick the thinner part is: plain shapes are rounder or squarer than parts."""
 _SMALL = 0.05
 """Of the mass of the robot: so much more matters little."""
 _APART = 0.02
@@ -130,6 +130,8 @@ def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progres
             runs[engine] = trial.measured
             yield from trial.compared_with_conversion()
     yield from _disagreements(subject, runs)
+    if runs:
+        yield from _beside(subject)
 
 
 class Subject:
@@ -575,7 +577,9 @@ class Trial:
         self, met: Iterable[Sequence[Any]], other_way: Iterable[Sequence[Any]]
     ) -> Iterator[Diagnostic]:
         barred = {row[0] for row in other_way if self._is_meeting(row)}
-        for row in filter(self._is_meeting, met):
+        rows = [row for row in met if self._is_meeting(row)]
+        deepest = {row[0]: row for row in sorted(rows, key=lambda row: row[3])}
+        for row in rows:
             joint, a, b, depth, position, point, count, steps = row
             one, other = self._name(a), self._name(b)
             own = self.subject.robot.joints[self.subject.joints[joint]]
@@ -584,7 +588,7 @@ class Trial:
             text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
             often = f" ({count} of {steps} positions) in {self.title}{note}"
             severity = severity if 2 * count > steps else "info"
-            if joint not in barred and depth > _DEEP and count > 1:
+            if row is deepest[joint] and joint not in barred and depth > _DEEP and count > 1:
                 severity, often = "warning", f"{often}, and nothing into another with the opposite axis"
             moment = self._moment({own.name: position}, point)
             yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity, moment)
@@ -724,3 +728,13 @@ def _disagreements(subject: Subject, runs: Mapping[Engine, Mapping[str, Any]]) -
             )
             element = link.element if link is not None else subject.model.element
             yield _diagnostic(SimKind.ENGINES_DISAGREE, element, text, Severity.WARNING)
+
+
+def _beside(subject: Subject) -> Iterator[Diagnostic]:
+    """Joints that are not where the shaft or hole is that they belong to: no simulator notices."""
+    for joint, aside, radius in displaced(subject.robot, subject.groups):
+        text = (
+            f"joint `{joint.name}` turns its part about a line {_length(aside)} beside the shaft or hole of "
+            f"link `{joint.parent}` that it fits, which is {_length(2 * radius)} wide"
+        )
+        yield _diagnostic(SimKind.DISPLACED_JOINT, joint.element, text, Severity.WARNING)

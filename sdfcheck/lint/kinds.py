@@ -60,6 +60,9 @@ class SimKind(FindingKind):
     ENGINES_DISAGREE = "SIM010 Two simulators let the robot fall differently."
     LEFT_OUT = "SIM011 A part of the robot is not simulated, as the simulator cannot read it."
     CONVERSION_DIFFERS = "SIM012 The robot falls differently when it comes back from SDFormat."
+    DISPLACED_JOINT = (
+        "SIM013 A joint turns its part about a line beside the shaft or hole of its parent that it fits."
+    )
 
     @property
     def is_grave(self) -> bool:

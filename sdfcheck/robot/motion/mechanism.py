@@ -8,12 +8,14 @@ places its links.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from sdfcheck.bodies.solid import Skin, together
+from sdfcheck.bodies.mesh import read_triangles
+from sdfcheck.bodies.solid import Edges, Skin, edges_across, together
+from sdfcheck.files.uris import locate
 from sdfcheck.robot.motion.mass import MassProperties
 from sdfcheck.robot.motion.origin import Origin, Triple
 from sdfcheck.robot.motion.poses import Array, about_axis, inverse, transform, z_towards
@@ -406,3 +408,87 @@ def _displacement(kind: str, axis: Array, at: Array, position: float) -> Array:
         pose[:3, :3] = about_axis(axis, position)
         pose[:3, 3] = at - pose[:3, :3] @ at
     return pose
+
+
+# Joints that are beside the shaft or hole that they belong to.
+
+
+_LEAST_RADIUS = 0.005
+"""m: smaller circles are those of screws."""
+_BESIDE = 0.003
+"""m: so far the two parts of a drawing may be from each other."""
+_MOST_TRIANGLES = 300_000
+
+
+def displaced(robot: Mechanism, groups: Mapping[str, str]) -> Iterator[tuple[Joint, float, float]]:
+    """The joints whose part is round about the axis, and its parent about another line alone, in the same size.
+
+    Each with the distance of that line and the radius (m). ``groups``: links that are rigidly connected have one name.
+    """
+    kinds = {"revolute", "continuous"}
+    turning = [joint for joint in robot.joints.values() if joint.kind in kinds and joint.axes]
+    meshes: dict[str, Array | None] = {}
+    for joint in turning:
+        frame = _axis_frame(joint)
+        part, parent = (_edges(robot, groups, name, frame, meshes) for name in (joint.child, joint.parent))
+        if part is None or parent is None:
+            continue
+        radii = np.unique(part.radii(np.zeros(2)).round(4))
+        if len(parent.radii(np.zeros(2))):
+            continue
+        taken = [place for other in turning if (place := _seen(frame, other)) is not None]
+        fitting = sorted(
+            (float(np.linalg.norm(center)), float(radius), _is_free(center, taken))
+            for radius in radii[radii >= _LEAST_RADIUS]
+            for center in parent.centers(radius)
+        )
+        free = [(aside, radius) for aside, radius, is_free in fitting if is_free]
+        if free and fitting[0][0] > _BESIDE:
+            yield joint, *free[0]
+
+
+def _is_free(center: Array, taken: Sequence[Array]) -> bool:
+    return all(np.linalg.norm(center - place) > _BESIDE for place in taken)
+
+
+def _axis_frame(joint: Joint) -> Array:
+    """4×4, in the model's frame: the axis of a joint is z."""
+    frame = joint.pose.copy()
+    frame[:3, :3] = joint.pose[:3, :3] @ z_towards(joint.axes[0].direction)
+    return frame
+
+
+def _seen(frame: Array, joint: Joint) -> Array | None:
+    """The point (2,) where the axis of a joint meets the plane across z of a frame, if it is along z."""
+    axis = np.linalg.inv(frame) @ _axis_frame(joint)
+    return np.asarray(axis[:2, 3]) if abs(axis[2, 2]) > 1 - 1e-3 else None
+
+
+def _edges(
+    robot: Mechanism, groups: Mapping[str, str], name: str, frame: Array, meshes: dict[str, Array | None]
+) -> Edges | None:
+    """The edges across z of a frame, of the meshes that are seen of a link and of those fixed to it."""
+    found = []
+    for each, link in robot.links.items():
+        if groups[each] != groups.get(name):
+            continue
+        visuals = [shape for shape in link.geometries if shape.role == "visual"]
+        for shape in visuals or link.geometries:
+            if shape.kind != "mesh":
+                continue
+            if shape.uri not in meshes:
+                meshes[shape.uri] = _triangles(shape)
+            triangles = meshes[shape.uri]
+            if triangles is None:
+                return None
+            place = np.linalg.inv(frame) @ link.pose @ shape.pose
+            found.append(triangles * shape.size @ place[:3, :3].T + place[:3, 3])
+    return edges_across(np.concatenate(found)) if found and sum(map(len, found)) < _MOST_TRIANGLES else None
+
+
+def _triangles(shape: Geometry) -> Array | None:
+    path = locate(shape.element.document, shape.uri).path if shape.uri else None
+    try:
+        return None if path is None else read_triangles(path)
+    except OSError:
+        return None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
@@ -157,6 +158,35 @@ def test_joints_that_follow_others_move_with_them(tmp_path: Path, capsys: pytest
     assert "SIM007" not in {one["code"] for one in findings(text, Engine.MUJOCO, tmp_path, capsys)}
     alone = text.replace('<mimic joint="first_joint"/>', "")
     assert "SIM007" in {one["code"] for one in findings(alone, Engine.MUJOCO, tmp_path, capsys)}
+
+
+def pin(folder: Path, name: str, at: float) -> str:
+    """A visual: a mesh of 16 sides about z, 60 mm wide."""
+    corners = [
+        (at + 0.03 * math.cos(turn * math.pi / 8), 0.03 * math.sin(turn * math.pi / 8), height)
+        for height in (-0.02, 0.02)
+        for turn in range(16)
+    ]
+    sides = [(n, (n + 1) % 16) for n in range(16)]
+    faces = [(a, b, b + 16, a + 16) for a, b in sides] + [tuple(range(15, -1, -1)), tuple(range(16, 32))]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    lines += ["f " + " ".join(str(n + 1) for n in face) for face in faces]
+    (folder / name).write_text("\n".join(lines))
+    return f'<visual><geometry><mesh filename="{name}"/></geometry></visual>'
+
+
+@pytest.mark.parametrize(("place", "aside"), [("0.3 0 0.04", ""), ("0.28 0 0.04", "20 mm")])
+def test_a_joint_beside_the_hole_of_its_parent(
+    place: str, aside: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = f"""<robot name="r">
+<link name="base">{inertial(5, 0.05)}{pin(tmp_path, "base.obj", 0.3)}</link>
+<link name="part">{inertial(1, 0.01)}{pin(tmp_path, "part.obj", 0)}</link>
+<joint name="turn" type="continuous"><origin xyz="{place}"/><parent link="base"/><child link="part"/>
+<axis xyz="0 0 1"/></joint></robot>"""
+    found = [one for one in findings(text, Engine.MUJOCO, tmp_path, capsys) if one["code"] == "SIM013"]
+    assert len(found) == bool(aside)
+    assert all(f"a line {aside} beside" in one["message"] and "60 mm wide" in one["message"] for one in found)
 
 
 def test_links_with_nothing_solid_between_them_are_neighbors(
