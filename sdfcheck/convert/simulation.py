@@ -416,7 +416,7 @@ class Trial:
             return
         self.measured = held.result
         yield from self._overlaps(held.result["overlaps"])
-        yield from self._sweep(held.result["sweep"], held.result["mirrored"])
+        yield from self._sweep(**held.result["sweep"])
         yield from self._loads(held.result["loads"])
         if held.result["overlaps"]:
             return  # these push, so that nothing else is as it was meant
@@ -426,7 +426,7 @@ class Trial:
 
     def _answers(self) -> list[Answer]:
         """The measurements: the numbers, the behavior, and on the ground."""
-        settings = self._experiments("overlaps", "fall", "sweep", "mirrored", "loads")
+        settings = self._experiments("overlaps", "fall", "sweep", "loads")
         asked: list[tuple[str, dict[str, Any]]] = [
             ("facts", {"configurations": [{}]}),
             ("behave", settings),
@@ -573,10 +573,8 @@ class Trial:
                 )
                 yield self._at_link(SimKind.STEP_DEPENDENT, self._name(name), text, "warning")
 
-    def _sweep(
-        self, met: Iterable[Sequence[Any]], other_way: Iterable[Sequence[Any]]
-    ) -> Iterator[Diagnostic]:
-        barred = {row[0] for row in other_way if self._is_meeting(row)}
+    def _sweep(self, met: Iterable[Sequence[Any]], mirrored: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
+        barred = {row[0] for row in mirrored if self._is_meeting(row)}
         rows = [row for row in met if self._is_meeting(row)]
         deepest = {row[0]: row for row in sorted(rows, key=lambda row: row[3])}
         for row in rows:

@@ -159,20 +159,17 @@ def _fall(make: Make, settings: dict[str, Any], time_step: float, seconds: float
     return found
 
 
-def sweep(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
-    """The pairs that overlap on a joint's way through its range.
+def sweep(make: Make, settings: dict[str, Any]) -> dict[str, list[list[Any]]]:
+    """The pairs that overlap on a joint's way through its range, and those with the opposite axis of such a joint.
 
     Joint, names, depth, the position and the point where it is deepest, how often of how many.
     """
-    return _swept(make, settings, 1)
+    met = _swept(make, settings, 1)
+    meeting = {row[0] for row in met}
+    return {"met": met, "mirrored": _swept(make, settings, -1, meeting)}
 
 
-def mirrored(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
-    """The same if the axis of each joint were the opposite one."""
-    return _swept(make, settings, -1)
-
-
-def _swept(make: Make, settings: dict[str, Any], way: int) -> list[list[Any]]:
+def _swept(make: Make, settings: dict[str, Any], way: int, asked: set[str] | None = None) -> list[list[Any]]:
     world = make(Motion(time_step=settings["time_step"], gravity=False))
     start = _start(world, settings)
     world.place(start)
@@ -180,7 +177,7 @@ def _swept(make: Make, settings: dict[str, Any], way: int) -> list[list[Any]]:
     found: list[list[Any]] = []
     for joint, (least, most) in _ordered(world):
         lower, upper = max(least, -math.pi), min(most, math.pi)
-        if joint in settings["followers"]:
+        if joint in settings["followers"] or (asked is not None and joint not in asked):
             continue
         seen: dict[tuple[str, str], list[tuple[float, float, list[float]]]] = {}
         for step in range(_STEPS + 1):
@@ -240,7 +237,6 @@ _EXPERIMENTS: dict[str, Callable[[Make, dict[str, Any]], Any]] = {
     "overlaps": overlaps,
     "fall": fall,
     "sweep": sweep,
-    "mirrored": mirrored,
     "loads": loads,
     "stand": stand,
 }

@@ -448,12 +448,12 @@ def displaced(robot: Mechanism, groups: Mapping[str, str]) -> Iterator[tuple[Joi
 
 
 def _is_free(center: Array, taken: Sequence[Array]) -> bool:
-    return all(np.linalg.norm(center - place) > _BESIDE for place in taken)
+    return all(float(np.linalg.norm(center - place)) > _BESIDE for place in taken)
 
 
 def _axis_frame(joint: Joint) -> Array:
     """4×4, in the model's frame: the axis of a joint is z."""
-    frame = joint.pose.copy()
+    frame = np.array(joint.pose)
     frame[:3, :3] = joint.pose[:3, :3] @ z_towards(joint.axes[0].direction)
     return frame
 
