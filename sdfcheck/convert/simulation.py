@@ -53,6 +53,10 @@ _TITLES = {Engine.MUJOCO: "MuJoCo", Engine.PYBULLET: "PyBullet", Engine.DRAKE: "
 TIME_STEP = 0.001
 _DEPTH = 0.005
 """m: parts that overlap less only touch."""
+_DEEP = 0.02
+"""m: so deep a part is not by the hulls of meshes alone."""
+_SHALLOW = 0.15
+"""Of how thick the thinner part is: plain shapes are rounder or squarer than parts."""
 _SMALL = 0.05
 """Of the mass of the robot: so much more matters little."""
 _APART = 0.02
@@ -191,6 +195,24 @@ class Subject:
         return {name: top(name) for name in group}
 
     @cached_property
+    def followers(self) -> dict[str, tuple[str, float, float]]:
+        """The joints, as URDF calls them, that go where another one goes: that one, the multiplier and the offset."""
+        found: dict[str, tuple[str, float, float]] = {}
+        urdf = {name: each for each, name in self.joints.items()}
+        for joint in self.robot.joints.values():
+            multiplier, offset, at = 1.0, 0.0, joint
+            for _ in self.robot.joints:
+                mimic = at.axes[0].mimic if at.axes else None
+                if mimic is None or mimic.leader not in self.robot.joints:
+                    break
+                offset += multiplier * (mimic.offset - mimic.multiplier * mimic.reference)
+                multiplier *= mimic.multiplier
+                at = self.robot.joints[mimic.leader]
+            if at is not joint and joint.name in urdf and at.name in urdf:
+                found[urdf[joint.name]] = (urdf[at.name], multiplier, offset)
+        return found
+
+    @cached_property
     def loose(self) -> set[str]:
         """The links, as URDF calls them, that a joint carries for which URDF has no word: simulators differ in it."""
         found = {joint.child for joint in self.robot.joints.values() if joint.kind == "ball"}
@@ -273,6 +295,19 @@ class Subject:
         own = self.robot.links.get(link)
         return own is not None and any(
             one.role == "collision" and one.kind == "mesh" for one in own.geometries
+        )
+
+    def thickness(self, link: str) -> float:
+        """The least length of its thickest plain collision shape (m); 0 without one."""
+        own = self.robot.links.get(link)
+        shapes = [] if own is None else [one for one in own.geometries if one.role == "collision"]
+        return max(
+            (
+                min(one.size) if one.kind == "box" else min(2 * one.size[0], *one.size[1:], math.inf)
+                for one in shapes
+                if one.kind in {"box", "cylinder", "sphere"}
+            ),
+            default=0.0,
         )
 
     @cached_property
@@ -379,7 +414,7 @@ class Trial:
             return
         self.measured = held.result
         yield from self._overlaps(held.result["overlaps"])
-        yield from self._sweep(held.result["sweep"])
+        yield from self._sweep(**held.result["sweep"])
         yield from self._loads(held.result["loads"])
         if held.result["overlaps"]:
             return  # these push, so that nothing else is as it was meant
@@ -389,18 +424,26 @@ class Trial:
 
     def _answers(self) -> list[Answer]:
         """The measurements: the numbers, the behavior, and on the ground."""
-        settings: dict[str, Any] = {"seconds": self.settings.seconds, "time_step": TIME_STEP}
+        settings = self._experiments("overlaps", "fall", "sweep", "loads")
         asked: list[tuple[str, dict[str, Any]]] = [
             ("facts", {"configurations": [{}]}),
-            ("behave", settings | {"experiments": ["overlaps", "fall", "sweep", "loads"]}),
+            ("behave", settings),
         ]
         if root := self.subject.mobile_base:
-            asked.append(("behave", settings | {"experiments": ["stand"], "root": self._in_urdf(root)}))
+            asked.append(("behave", self._experiments("stand") | {"root": self._in_urdf(root)}))
         questions = [Question(self.path, action, given) for action, given in asked]
         answers = list(ask_all(self.engine, questions, self.settings.limits))
         if answers[0].outcome is Outcome.MISSING:
             raise MissingEngine(f"{self.title} is not installed: {answers[0].error}")
         return answers
+
+    def _experiments(self, *names: str) -> dict[str, Any]:
+        return {
+            "experiments": names,
+            "seconds": self.settings.seconds,
+            "time_step": TIME_STEP,
+            "followers": self.subject.followers,
+        }
 
     def compared_with_conversion(self) -> Iterator[Diagnostic]:
         """Whether the robot falls as it did when it has been SDFormat, where nothing touches.
@@ -413,7 +456,7 @@ class Trial:
             return
         path = self.stage.write("", self.path.name)
         self._write(path, self.subject.returned)
-        settings = {"seconds": ALIKE, "time_step": TIME_STEP, "experiments": ["fall"]}
+        settings = self._experiments("fall") | {"seconds": ALIKE}
         (answer,) = ask_all(self.engine, [Question(path, "behave", settings)], self.settings.limits)
         model = self.subject.model
         if not answer.is_accepted or answer.error:
@@ -489,16 +532,17 @@ class Trial:
         for a, b, depth, point in pairs:
             one, other = self._name(a), self._name(b)
             if depth > _DEPTH and not self.subject.may_touch(one, other):
-                own, note = self._hulls(one, other)
+                own, note = self._severity(one, other, depth)
                 text = f"overlaps link `{other}` by {_length(depth)} at the start in {self.title}{note}"
                 label = self._label(other, "the other link")
                 yield self._at_link(SimKind.START_OVERLAP, one, text, own, label, self._moment({}, point))
 
-    def _hulls(self, a: str, b: str) -> tuple[str, str]:
-        """The severity of an overlap, and what the simulator has to do with it."""
+    def _severity(self, a: str, b: str, depth: float) -> tuple[str, str]:
+        """That of an overlap, and what the simulator has to do with it."""
         if self.engine in _HULLS and (self.subject.has_mesh(a) or self.subject.has_mesh(b)):
             return "info", ", which takes the convex hulls of meshes"
-        return "warning", ""
+        is_shallow = depth < _SHALLOW * min(map(self.subject.thickness, (a, b)))
+        return "info" if is_shallow else "warning", ""
 
     def _fall(self, fall: Mapping[str, Any]) -> Iterator[Diagnostic]:
         subject = self.subject
@@ -528,19 +572,32 @@ class Trial:
                 )
                 yield self._at_link(SimKind.STEP_DEPENDENT, self._name(name), text, "warning")
 
-    def _sweep(self, met: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
-        for joint, a, b, depth, position, point, count, steps in met:
+    def _sweep(self, met: Iterable[Sequence[Any]], mirrored: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
+        barred = {row[0] for row in mirrored if self._is_meeting(row)}
+        rows = [row for row in met if self._is_meeting(row)]
+        deepest = {row[0]: row for row in sorted(rows, key=lambda row: row[3])}
+        for row in rows:
+            joint, a, b, depth, position, point, count, steps = row
             one, other = self._name(a), self._name(b)
-            own = self.subject.robot.joints.get(self.subject.joints.get(joint, ""))
-            if own is None or depth <= _DEPTH or self.subject.may_touch(one, other):
-                continue
-            severity, note = self._hulls(one, other)
+            own = self.subject.robot.joints[self.subject.joints[joint]]
+            severity, note = self._severity(one, other, depth)
             unit = "m" if own.kind == "prismatic" else "rad"
             text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
             often = f" ({count} of {steps} positions) in {self.title}{note}"
             severity = severity if 2 * count > steps else "info"
+            if row is deepest[joint] and joint not in barred and depth > _DEEP and count > 1:
+                severity, often = "warning", f"{often}, and nothing into another with the opposite axis"
             moment = self._moment({own.name: position}, point)
             yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity, moment)
+
+    def _is_meeting(self, row: Sequence[Any]) -> bool:
+        """Are two parts in one another on a joint's way, which should not?"""
+        joint, a, b, depth, *_ = row
+        return (
+            joint in self.subject.joints
+            and depth > _DEPTH
+            and not self.subject.may_touch(self._name(a), self._name(b))
+        )
 
     def _loads(self, loads: Mapping[str, Mapping[str, float]]) -> Iterator[Diagnostic]:
         for urdf, name in self.subject.joints.items():

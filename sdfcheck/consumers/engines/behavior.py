@@ -82,16 +82,26 @@ Make = Callable[[Motion], World]
 
 
 def behave(make: Make, settings: dict[str, Any]) -> dict[str, Any]:
-    """The measurements that ``settings["experiments"]`` names; ``seconds`` and ``time_step`` are there, too."""
+    """The measurements that ``settings["experiments"]`` names, with ``seconds``, ``time_step`` and ``followers``."""
     found: dict[str, Any] = {}
     for name in settings["experiments"]:
         found[name] = _EXPERIMENTS[name](make, settings)
     return found
 
 
-def _start(world: World) -> dict[str, float]:
-    """Each joint at 0, or where it stops nearest to that."""
-    return {name: min(max(0.0, lower), upper) for name, (lower, upper) in _ordered(world)}
+def _start(world: World, settings: dict[str, Any]) -> dict[str, float]:
+    """Each joint at 0, or where it stops nearest to that; those that follow others with them."""
+    start = {name: min(max(0.0, lower), upper) for name, (lower, upper) in _ordered(world)}
+    return _followed(start, settings)
+
+
+def _followed(positions: dict[str, float], settings: dict[str, Any]) -> dict[str, float]:
+    """The positions, with those of ``followers``: name → leader, multiplier, offset."""
+    return positions | {
+        name: multiplier * positions[leader] + offset
+        for name, (leader, multiplier, offset) in settings["followers"].items()
+        if leader in positions and name in positions
+    }
 
 
 def _ordered(world: World) -> Iterator[tuple[str, tuple[float, float]]]:
@@ -112,22 +122,22 @@ def _deepest(contacts: list[Contact]) -> dict[tuple[str, str], Contact]:
 def overlaps(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
     """The pairs of links that overlap at the start: names, depth, point."""
     world = make(Motion(time_step=settings["time_step"], gravity=False))
-    world.place(_start(world))
+    world.place(_start(world, settings))
     return [[*pair, one.depth, one.point] for pair, one in sorted(_deepest(world.contacts()).items())]
 
 
 def fall(make: Make, settings: dict[str, Any]) -> dict[str, Any]:
     """The robot with its root link held, and no force in its joints."""
-    done = _fall(make, settings["time_step"], settings["seconds"])
+    done = _fall(make, settings, settings["time_step"], settings["seconds"])
     done["steps"] = [
-        _fall(make, settings["time_step"] * factor, ALIKE).get("early", {}) for factor in (0.5, 2.0)
+        _fall(make, settings, settings["time_step"] * factor, ALIKE).get("early", {}) for factor in (0.5, 2.0)
     ]
     return done
 
 
-def _fall(make: Make, time_step: float, seconds: float) -> dict[str, Any]:
+def _fall(make: Make, settings: dict[str, Any], time_step: float, seconds: float) -> dict[str, Any]:
     world = make(Motion(time_step=time_step))
-    world.place(_start(world))
+    world.place(_start(world, settings))
     first = last = world.energy()
     fastest: dict[str, float] = {}
     found: dict[str, Any] = {"energy": first, "highest": first, "finite": True, "fastest": fastest}
@@ -149,22 +159,30 @@ def _fall(make: Make, time_step: float, seconds: float) -> dict[str, Any]:
     return found
 
 
-def sweep(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
-    """The pairs that overlap on a joint's way through its range.
+def sweep(make: Make, settings: dict[str, Any]) -> dict[str, list[list[Any]]]:
+    """The pairs that overlap on a joint's way through its range, and those with the opposite axis of such a joint.
 
     Joint, names, depth, the position and the point where it is deepest, how often of how many.
     """
+    met = _swept(make, settings, 1)
+    meeting = {row[0] for row in met}
+    return {"met": met, "mirrored": _swept(make, settings, -1, meeting)}
+
+
+def _swept(make: Make, settings: dict[str, Any], way: int, asked: set[str] | None = None) -> list[list[Any]]:
     world = make(Motion(time_step=settings["time_step"], gravity=False))
-    start = _start(world)
+    start = _start(world, settings)
     world.place(start)
     before = set(_deepest(world.contacts()))
     found: list[list[Any]] = []
     for joint, (least, most) in _ordered(world):
         lower, upper = max(least, -math.pi), min(most, math.pi)
+        if joint in settings["followers"] or (asked is not None and joint not in asked):
+            continue
         seen: dict[tuple[str, str], list[tuple[float, float, list[float]]]] = {}
         for step in range(_STEPS + 1):
-            position = lower + (upper - lower) * step / _STEPS
-            world.place({**start, joint: position})
+            position = way * (lower + (upper - lower) * step / _STEPS)
+            world.place(_followed({**start, joint: position}, settings))
             for pair, one in _deepest(world.contacts()).items():
                 if pair not in before:
                     seen.setdefault(pair, []).append((one.depth, position, one.point))
@@ -175,7 +193,7 @@ def sweep(make: Make, settings: dict[str, Any]) -> list[list[Any]]:
 def loads(make: Make, settings: dict[str, Any]) -> dict[str, Any]:
     """The forces that hold the robot at the start, and the largest of random configurations."""
     world = make(Motion(time_step=settings["time_step"]))
-    start = _start(world)
+    start = _start(world, settings)
     world.place(start)
     first = world.loads()
     most = {name: abs(value) for name, value in first.items()}
@@ -192,7 +210,7 @@ def loads(make: Make, settings: dict[str, Any]) -> dict[str, Any]:
 def stand(make: Make, settings: dict[str, Any]) -> dict[str, Any]:
     """The robot on level ground: how far its root tilts and slides, and the links that touch the ground."""
     world = make(Motion("free", settings["time_step"]))
-    start = _start(world)
+    start = _start(world, settings)
     world.place(start, _SUNK)
     depth = max((one.depth for one in world.contacts() if "" in (one.a, one.b)), default=0.0)
     if not depth:

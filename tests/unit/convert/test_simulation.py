@@ -135,6 +135,30 @@ def test_a_joint_that_moves_parts_into_one_another(
     assert '"moment":{"positions":{"' in page.read_text(encoding="utf-8").replace(" ", "")
 
 
+def test_a_joint_that_would_meet_nothing_with_the_opposite_axis(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = arm(tool_at="-0.6 0 0.05").replace('lower="-0.2" upper="0.2"', 'lower="-1.2" upper="0"')
+    found = findings(text, Engine.MUJOCO, tmp_path, capsys)
+    assert any("with the opposite axis" in one["message"] for one in found)
+    assert codes(found) == {"SIM007"}
+    turned = text.replace('<axis xyz="0 1 0"/>', '<axis xyz="0 -1 0"/>')
+    assert codes(findings(turned, Engine.MUJOCO, tmp_path, capsys)) == set()
+
+
+def test_joints_that_follow_others_move_with_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    fingers = "".join(
+        f"""<link name="{name}">{inertial(0.1, 0.0001)}{box(".02 .04 .1")}</link>
+<joint name="{name}_joint" type="prismatic"><origin xyz="0 {at} 0.2"/><parent link="base"/><child link="{name}"/>
+<axis xyz="0 1 0"/><limit lower="0" upper="0.2" effort="20" velocity="2"/>{mimic}</joint>"""
+        for name, at, mimic in (("first", -0.08, ""), ("second", 0.02, '<mimic joint="first_joint"/>'))
+    )
+    text = f'<robot name="r"><link name="base">{inertial(5, 0.05)}{box(".2 .2 .2")}</link>{fingers}</robot>'
+    assert "SIM007" not in {one["code"] for one in findings(text, Engine.MUJOCO, tmp_path, capsys)}
+    alone = text.replace('<mimic joint="first_joint"/>', "")
+    assert "SIM007" in {one["code"] for one in findings(alone, Engine.MUJOCO, tmp_path, capsys)}
+
+
 def test_links_with_nothing_solid_between_them_are_neighbors(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
