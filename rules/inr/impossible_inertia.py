@@ -56,6 +56,11 @@ class ImpossibleInertia(Rule):
         ),
         Bad(MERGED, scaffold="", says="9 > 1 + 1"),
         Bad(
+            "<inertial><«inertia»><ixx>0.01</ixx><iyy>0.01</iyy></inertia></inertial>",
+            says="1 > 0.01 + 0.01 (`izz` is not written, and 1 by default)",
+            also=("SCH004",),
+        ),
+        Bad(
             '<inertial><mass value="1"/>'
             '<inertia ixx="«0.1»" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>',
             scaffold=IN_URDF_LINK,
@@ -82,6 +87,8 @@ class ImpossibleInertia(Rule):
         low, middle, high = _distinct(_broken(inertial))
         message = f"no body has these principal moments: {high} > {low} + {middle}"
         largest = max("ixx", "iyy", "izz", key=inertial.moments.__getitem__)
+        if not inertial.moments[largest].is_given:
+            message += f" (`{largest}` is not written, and {inertial.moments[largest]:g} by default)"
         labels = {inertial.link: "the inertia of this link"}
         yield self.diagnostic(
             inertial.moments[largest], message, labels=labels, affects=once_merged(inertial)

@@ -158,7 +158,12 @@ class MissingElement(Rule):
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
-        yield self.diagnostic(place, message, severity=Severity.WARNING, affects=affects, fix=fix)
+        cause = (
+            place if problem.element.name == "inertia" else None
+        )  # moments that are impossible by the default
+        yield self.diagnostic(
+            place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
+        )
 
 
 def other_end(problem: problems.MissingElement) -> dict[Element, str]:

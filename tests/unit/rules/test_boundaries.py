@@ -254,3 +254,14 @@ def test_nothing_reads_a_transmission_of_ros_control_in_ros_2(
     (tmp_path / "a.urdf").write_text(URDF.format("").replace("</robot>", f"{drive}</robot>"))
     found = sdfcheck.lint(tmp_path / "a.urdf", isolated=True).diagnostics
     assert [each.severity.value for each in found if each.code == "URD028"] == [severity]
+
+
+@pytest.mark.parametrize(("moment", "codes"), [(0.01, ["INR003"]), (1, ["SCH004"])])
+def test_a_missing_moment_is_one_finding(moment: float, codes: list[str], tmp_path: Path) -> None:
+    written = f"<inertia>\n<ixx>{moment}</ixx><iyy>{moment}</iyy></inertia>"
+    path = tmp_path / "a.sdf"
+    path.write_text(
+        f'<sdf version="1.12"><model name="m"><link name="a">\n<inertial><mass>1</mass>\n{written}</inertial>'
+        "</link></model></sdf>"
+    )
+    assert [each.code for each in sdfcheck.lint(path, isolated=True).diagnostics] == codes
