@@ -33,8 +33,8 @@ class UnknownJointEnd(Rule):
     nested models. In SDFormat a joint may end at a link, frame, joint or nested model
     of its own model, and by `A::b` at what is in nested models. Nothing reaches outwards,
     but `world` can be a parent everywhere; in URDF only Drake knows it, and a robot that
-    declares Drake's prefix gets a warning. So does one that a robot of the same name could
-    hold, as one of its parts.
+    declares Drake's prefix gets a warning. So does a xacro file that a robot of the same name
+    in another file could hold, as one of its parts.
     """
 
     code = "JNT001"

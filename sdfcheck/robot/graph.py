@@ -1157,10 +1157,10 @@ class Joint(Node):
         return self.type in MOVING_IN_URDF if self.is_urdf else self.type != "fixed"
 
     def is_in_namesake(self, link: str) -> bool:
-        """Is a link that its robot of URDF has not in another file of the project, in a robot of the same name?"""
+        """Is a link that its robot of xacro has not in another file of the project, in a robot of the same name?"""
         from sdfcheck.xacro.static.project import namesake_has
 
-        return self.is_urdf and namesake_has(self.document, link)
+        return self.document.is_expanded and namesake_has(self.document, link)
 
     @lazy
     def at_rest(self) -> Origin | None:

@@ -1,11 +1,12 @@
 """The pictures of docs/gallery.md: robots with a mistake, as sdfcheck shows them in Chromium.
 
-``python -m tests.peers.gallery`` (``make gallery``) draws them anew.
+``python -m tests.peers.gallery`` (``make gallery``) draws them anew; ``NAME=FILE`` adds a robot that is not here.
 """
 
 from __future__ import annotations
 
 import struct
+import sys
 from collections.abc import Callable, Sequence
 from itertools import product
 from pathlib import Path
@@ -152,15 +153,21 @@ def _drawn(tab: chromium.Tab, picture: Picture) -> bytes:
     return bytes(tab.page.screenshot())
 
 
-def write() -> None:
-    """Draws all pictures."""
+def of_others(named: str) -> Picture:
+    """The picture of ``NAME=FILE``."""
+    name, _, file = named.partition("=")
+    return Picture(name, lambda folder: ["view", file])
+
+
+def write(pictures: Sequence[Picture]) -> None:
+    """Draws the pictures."""
     PICTURES.mkdir(exist_ok=True)
     with chromium.tab(width=WIDTH, height=HEIGHT) as tab:
-        for picture in GALLERY:
+        for picture in pictures:
             data = draw(tab, picture)
             (PICTURES / f"{picture.name}.png").write_bytes(data)
             print(f"{picture.name}: {len(data) / 1000:.0f} kB")
 
 
 if __name__ == "__main__":
-    write()
+    write([of_others(named) for named in sys.argv[1:]] or GALLERY)
