@@ -1,6 +1,6 @@
 """The pictures of docs/gallery.md: robots with a mistake, as sdfcheck shows them in Chromium.
 
-``python -m tests.peers.gallery`` (``make gallery``) draws them anew; ``NAME=FILE`` adds a robot that is not here.
+``python -m tests.peers.gallery`` (``make gallery``) draws them anew; ``"NAME=FILE ARG:=VALUE"`` adds one of others.
 """
 
 from __future__ import annotations
@@ -154,9 +154,9 @@ def _drawn(tab: chromium.Tab, picture: Picture) -> bytes:
 
 
 def of_others(named: str) -> Picture:
-    """The picture of ``NAME=FILE``."""
-    name, _, file = named.partition("=")
-    return Picture(name, lambda folder: ["view", file])
+    """The picture of ``NAME=FILE``, which arguments of xacro may follow."""
+    name, _, words = named.partition("=")
+    return Picture(name, lambda folder: ["view", *words.split()])
 
 
 def write(pictures: Sequence[Picture]) -> None:
