@@ -421,6 +421,11 @@ class Library:
             self._packages[root] = Packages(root, named, self.search.packages_in, is_flat=is_flat)
         return self._packages[root]
 
+    @property
+    def open_texts(self) -> tuple[str, ...]:
+        """The texts that somebody edits, in place of files."""
+        return ()
+
     def of_project(self, path: Path, view: Callable[[Packages], T]) -> T:
         """A view of the packages around a file, made once for all files among them."""
         return self.view(self.packages(path), view)

@@ -306,6 +306,10 @@ class LiveLibrary(Library):
         buffer = self._buffers.get(key)
         return super().read(path, of, limit) if buffer is None else buffer.data
 
+    @property
+    def open_texts(self) -> tuple[str, ...]:
+        return tuple(buffer.source.text for buffer in self._buffers.values())
+
     def holds(self, path: Path) -> bool:
         return super().holds(path) or self.disk.real(path) in self._looked_into
 

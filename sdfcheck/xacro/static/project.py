@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Iterator
 from fnmatch import fnmatch
+from functools import lru_cache
 from pathlib import Path
 
 from sdfcheck.files.library import Library, library_of
@@ -96,14 +97,11 @@ class _Project:
             depth = 0
             for match in _DEFINED.finditer(text):
                 own, name = match.groups()
-                if name:
-                    names.add(name)
-                    if own == "macro" or not depth:
-                        self.definers.setdefault((own, name), []).append(path)
+                if name and (own == "macro" or not depth):
+                    self.definers.setdefault((own, name), []).append(path)
                 depth += (own == "macro") - match[0].startswith("</")
             endings.update(_endings(text))
-            for match in _PARAMETERS.finditer(text):
-                names.update(_WORD.findall(match[1] or match[2] or ""))
+            names.update(_names_in(text))
         self.names = frozenset(names)
         self.endings = frozenset(endings)
         """The names of links and joints that begin with an expression, without that."""
@@ -252,9 +250,22 @@ def _endings(text: str) -> Iterator[str]:
 
 
 def project_names(document: Document) -> frozenset[str]:
-    """All that any xacro file of the document's project defines: who includes a library may define it."""
+    """All that any xacro file of the document's project defines: who includes a library may define it.
+
+    That of open texts counts as well, which may not be saved yet.
+    """
     library = library_of(document)
-    return frozenset() if library is None else _project(library, document).names
+    if library is None:
+        return frozenset()
+    return _project(library, document).names.union(*map(_names_in, library.open_texts))
+
+
+@lru_cache(maxsize=16)
+def _names_in(text: str) -> frozenset[str]:
+    """The names of the macros, their parameters and the properties that a text defines."""
+    defined = (match[2] for match in _DEFINED.finditer(text) if match[2])
+    lists = (match[1] or match[2] or "" for match in _PARAMETERS.finditer(text))
+    return frozenset((*defined, *(word for each in lists for word in _WORD.findall(each))))
 
 
 def definer(document: Document, kind: str, name: str) -> Path | None:

@@ -734,3 +734,20 @@ def test_a_wrong_setting_is_named_and_the_others_count(tmp_path: Path) -> None:
         assert f"setting `{setting}`" in workspace.fault
     assert "`ignore`" not in workspace.fault
     assert workspace.facts(tmp_path / "m.sdf")
+
+
+def test_definitions_of_an_open_text_are_known_before_it_is_saved(editor: Editor, tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    part, whole = tmp_path / "part.xacro", tmp_path / "robot.urdf.xacro"
+    used = (
+        f'{HEAD}  <xacro:macro name="part" params=""><link name="l" x="${{turn}}"/></xacro:macro>\n</robot>'
+    )
+    defined = (
+        f'{HEAD}  <xacro:property name="turn" value="1"/>\n  <xacro:include filename="part.xacro"/>\n</robot>'
+    )
+    part.write_text(used.replace('name="r" ', ""))
+    whole.write_text(defined)
+    for path in (part, whole):
+        editor.open(path, path.read_text().replace("turn", "turn_z"))
+    editor.findings.lint(editor.workspace.buffers[editor.workspace.key(part)])
+    assert [found.code for found in editor.findings.at(part)] == []

@@ -173,7 +173,7 @@ def test_a_package_that_is_not_there_had_two_folders_of_the_part(
     )
     joint = '<joint name="j" type="fixed"><parent link="torso"/><child link="b"/></joint>'
     assert (
-        ("JNT001", "warning") not in found(folder, f'<link name="b"/>{joint}', "robots/parts/arm.urdf")
+        ("JNT001", "error") not in found(folder, f'<link name="b"/>{joint}', "robots/parts/arm.urdf")
     ) == is_part
 
 
