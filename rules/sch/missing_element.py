@@ -158,9 +158,8 @@ class MissingElement(Rule):
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
-        cause = (
-            place if problem.element.name == "inertia" else None
-        )  # moments that are impossible by the default
+        # Moments that the default makes impossible are an error there.
+        cause = place if problem.element.name == "inertia" else None
         yield self.diagnostic(
             place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
         )

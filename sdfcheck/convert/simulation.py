@@ -586,7 +586,7 @@ class Trial:
             often = f" ({count} of {steps} positions) in {self.title}{note}"
             severity = severity if 2 * count > steps else "info"
             if row is deepest[joint] and joint not in barred and depth > _DEEP and count > 1:
-                severity, often = "warning", f"{often}, and nothing into another with the opposite axis"
+                severity, often = "warning", f"{often}; with the opposite axis it would meet nothing"
             moment = self._moment({own.name: position}, point)
             yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity, moment)
 

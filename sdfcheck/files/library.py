@@ -423,7 +423,7 @@ class Library:
 
     @property
     def open_texts(self) -> tuple[str, ...]:
-        """The texts that somebody edits, in place of files."""
+        """The texts for xacro that somebody edits, in place of files."""
         return ()
 
     def of_project(self, path: Path, view: Callable[[Packages], T]) -> T:

@@ -345,7 +345,7 @@ def is_of_ros_1(path: str | os.PathLike[str]) -> bool:
 
 
 def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
-    """Is it built by ament alone?"""
+    """Is the package that a file is in built by ament alone?"""
     manifest = _manifest_around(path)
     return "ament_" in manifest and ">catkin<" not in manifest
 

@@ -38,6 +38,7 @@ class UnknownSelector(WrongUsage):
 
 
 _FEW = 5
+"""So many names are proposed, no more."""
 
 
 def _others(code: str, rules: Sequence[RuleFacts]) -> str:

@@ -308,7 +308,8 @@ class LiveLibrary(Library):
 
     @property
     def open_texts(self) -> tuple[str, ...]:
-        return tuple(buffer.source.text for buffer in self._buffers.values())
+        sources = (buffer.source for buffer in self._buffers.values())
+        return tuple(source.text for source in sources if source.contains("xacro:"))
 
     def holds(self, path: Path) -> bool:
         return super().holds(path) or self.disk.real(path) in self._looked_into

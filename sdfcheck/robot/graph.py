@@ -1158,9 +1158,9 @@ class Joint(Node):
 
     def is_in_namesake(self, link: str) -> bool:
         """Is a link that its robot of xacro has not in another file of the project, in a robot of the same name?"""
-        from sdfcheck.xacro.static.project import namesake_has
+        from sdfcheck.xacro.static.project import links_of_namesakes
 
-        return self.document.is_expanded and namesake_has(self.document, link)
+        return self.document.is_expanded and link in self.document.view(links_of_namesakes)
 
     @lazy
     def at_rest(self) -> Origin | None:

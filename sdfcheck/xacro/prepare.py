@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from bisect import bisect_right, insort
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 
 from sdfcheck.files.packages import TEMPLATE
 from sdfcheck.source.document import Document, Element
@@ -295,6 +296,10 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
     Calls that give a macro what it asks for without taking it follow from that.
     """
     names: dict[tuple[type, str], list[UndefinedMacro | UndefinedProperty]] = {}
+    asked: dict[tuple[Path, str], list[int]] = {}
+    for problem in found:
+        if isinstance(problem, UndefinedProperty):
+            insort(asked.setdefault((problem.span.source.path, problem.name), []), problem.span.start)
     seen = set()
     for problem in found:
         key = type(problem), _subject(problem)
@@ -303,7 +308,7 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         seen.add(key)
         if isinstance(problem, UndefinedMacro | UndefinedProperty):
             names.setdefault((type(problem), problem.name), []).append(problem)
-        elif not (isinstance(problem, WrongMacroArguments) and _is_asked_for(problem, found)):
+        elif not (isinstance(problem, WrongMacroArguments) and _is_asked_for(problem, asked)):
             yield problem
     for first, *others in names.values():
         places = tuple(other.span for other in others)
@@ -311,19 +316,17 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         yield first.changed(others=places, ends=ends)
 
 
-def _is_asked_for(call: WrongMacroArguments, found: list[Problem]) -> bool:
-    """Is a parameter that a macro does not take undefined in its body?"""
+def _is_asked_for(call: WrongMacroArguments, asked: Mapping[tuple[Path, str], Sequence[int]]) -> bool:
+    """Is a parameter that a macro does not take undefined in its body? ``asked``: file and name → where, in order."""
     macro = call.definition
     if macro is None or call.kind is not Mismatch.UNKNOWN:
         return False
-    end = macro.source.text.find("</xacro:macro>", macro.start)
-    return any(
-        isinstance(each, UndefinedProperty)
-        and each.name in call.names
-        and each.span.source is macro.source
-        and macro.start < each.span.start < end
-        for each in found
-    )
+    for name in call.names:
+        places = asked.get((macro.source.path, name), ())
+        n = bisect_right(places, macro.start)
+        if n < len(places) and "</xacro:macro>" not in macro.source.text[macro.start : places[n]]:
+            return True
+    return False
 
 
 def _subject(problem: Problem) -> object:

@@ -36,6 +36,7 @@ _MADE_OF = re.compile(rf"{MADE_BY_XACRO}([^|\n]*)")
 """The path in the remark of xacro in a file that it makes."""
 _LED = re.compile(rf"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"']{LEADING}(?P<rest>[^\"'<>]+)[\"']")
 """A link or joint whose name begins with an expression."""
+_LINK = re.compile(r'<link\s(?:[^<>"]*\s)?name="([^"]*)"')
 _GLOB = re.compile(r"[*?\[]")
 _LITERAL = re.compile(r"\w")
 """A path of which more is written than the ending, so that not every file may be meant."""
@@ -156,18 +157,17 @@ def is_called(document: Document, macro: str) -> bool:
     return library is None or macro in _project(library, document).written(_CALL)
 
 
-def namesake_has(document: Document, link: str) -> bool:
-    """Has another robot of the project, of the same name, a link that this one has not, and may be a part of it?"""
+def links_of_namesakes(document: Document) -> frozenset[str]:
+    """The links of the project's other robots of the same name, as they are written: this one may be a part of one."""
     library, root = library_of(document), document.root
     robot = root.text_of("name", "") if root is not None else ""
     if library is None or not robot:
-        return False
-    asked = (("robot", robot), ("link", link))
-    patterns = [re.compile(rf'<{kind}\s(?:[^<>]*\s)?name="{re.escape(name)}"') for kind, name in asked]
-    own, others = library.disk.real(document.path), _project(library, document).paths
-    return any(
-        library.disk.real(path) != own and all(each.search(text) for each in patterns)
-        for path, text in ((path, text_of(path)) for path in others)
+        return frozenset()
+    named = re.compile(rf'<robot\s(?:[^<>]*\s)?name="{re.escape(robot)}"')
+    own = library.disk.real(document.path)
+    others = (path for path in _project(library, document).paths if library.disk.real(path) != own)
+    return frozenset(
+        link for text in map(text_of, others) if named.search(text) for link in _LINK.findall(text)
     )
 
 
@@ -260,7 +260,7 @@ def project_names(document: Document) -> frozenset[str]:
     return _project(library, document).names.union(*map(_names_in, library.open_texts))
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=4)
 def _names_in(text: str) -> frozenset[str]:
     """The names of the macros, their parameters and the properties that a text defines."""
     defined = (match[2] for match in _DEFINED.finditer(text) if match[2])
