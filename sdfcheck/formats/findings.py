@@ -381,16 +381,17 @@ def stray_text(element: Element) -> tuple[Span, str] | None:
     document = element.document
     source = document.source
     spans = Spans(source, document.scan) if document.is_expanded else document.spans
-    place = spans.place(element)
-    edges = [place.end]
+    around = spans.place(element)
+    edges = [around.end]
     for child in element.children():
         edges += [spans.place(child).start, spans.place(child).close_end]
-    edges.append(place.close)
+    edges.append(around.close)
     for start, end in zip(edges[::2], edges[1::2], strict=True):
         for piece in _PIECE.finditer(source.text, start, end):
             if (found := _filled(piece)) is not None:
                 line = source.text[slice(*found)].splitlines()[0].rstrip()
-                return document.written(source.span(found[0], found[0] + len(line))), line
+                place = document.written(source.span(found[0], found[0] + len(line)))
+                return place, line.replace("&gt;", ">")
     return None
 
 

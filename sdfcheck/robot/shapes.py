@@ -238,20 +238,21 @@ class Geometry(Part):
                 return None
             scaled = mesh.bounds.scaled(scale)
             return scaled if scaled.diagonal < float("inf") else None
-        if self.solid is None:
-            return None
-        from sdfcheck.bodies.box import Box
+        halves = self._halves if self.solid is not None else None
+        return None if halves is None else Box(tuple(-length for length in halves), halves)
 
-        radius, half = float(self.radius), float(self.length) / 2
-        found: tuple[float, ...] | None = {
-            "box": tuple(size / 2 for size in self.size),
-            "sphere": (radius, radius, radius),
-            "ellipsoid": tuple(self.radii),
-            "cylinder": (radius, radius, half),
-            "cone": (radius, radius, half),
-            "capsule": (radius, radius, half + radius),
-        }.get(self.shape)
-        return None if found is None else Box(tuple(-length for length in found), found)
+    @property
+    def _halves(self) -> tuple[float, ...]:
+        """Half of the lengths of a solid (m)."""
+        if self.shape == "box":
+            return tuple(size / 2 for size in self.size)
+        if self.shape == "ellipsoid":
+            return tuple(self.radii)
+        radius = float(self.radius)
+        if self.shape == "sphere":
+            return radius, radius, radius
+        ends = radius if self.shape == "capsule" else 0.0
+        return radius, radius, float(self.length) / 2 + ends
 
     @property
     def measures(self) -> tuple[float, ...]:

@@ -376,15 +376,17 @@ class ExpandedDocument(Document):
 
     def _between_tags(self, span: Span, around: tuple[int, int], number: int) -> Span | None:
         """A place in a comment or text: it is written after the element before it, or before the one after it."""
-        text = self.source.text[slice(*around)]
-        for element in self.elements[number : number + 2]:
-            written, at = self.spans.home(element).text, element.span.start
-            start = (
-                written.rfind(text, 0, at) if element is not self.elements[number] else written.find(text, at)
-            )
-            if start >= 0:
-                moved = start - around[0]
-                return self.spans.span(element, span.start + moved, span.end + moved)
+        text = self.source.text
+        expanded = [text[around[0] : span.start], text[span.start : span.end], text[span.end : around[1]]]
+        for pieces in (expanded, [piece.replace("&gt;", ">") for piece in expanded]):
+            whole = "".join(pieces)
+            for element in self.elements[number : number + 2]:
+                written, at = self.spans.home(element).text, element.span.start
+                is_before = element is self.elements[number]
+                start = written.find(whole, at) if is_before else written.rfind(whole, 0, at)
+                if start >= 0:
+                    begin = start + len(pieces[0])
+                    return self.spans.span(element, begin, begin + len(pieces[1]))
         return None
 
 

@@ -97,14 +97,15 @@ def test_a_place_in_the_comment_of_a_macro_is_where_the_comment_is_written(tmp_p
     assert (source.path.name, source.position(found.span.start).line) == ("part.xacro", 3)
 
 
-def test_text_that_is_left_in_a_macro_is_found_there_once(tmp_path: Path) -> None:
+@pytest.mark.parametrize("rest", ["rest", "-->", "a &gt; b"])
+def test_text_that_is_left_in_a_macro_is_found_there_once(rest: str, tmp_path: Path) -> None:
     part = tmp_path / "part.xacro"
     part.write_text(
-        f"{HEAD}<xacro:macro name='part' params='p'><link name='${{p}}a'/>\nrest\n</xacro:macro></robot>"
+        f"{HEAD}<xacro:macro name='part' params='p'><link name='${{p}}a'/>\n{rest}\n</xacro:macro></robot>"
     )
     robot = tmp_path / "bot.urdf.xacro"
     include = '<xacro:include filename="part.xacro"/><xacro:part p="x_"/></robot>'
     robot.write_text(HEAD.replace("<robot", '<robot name="bot"') + include)
     (found,) = sdfcheck.lint(tmp_path, isolated=True, select=["SCH010"]).diagnostics
-    assert (found.span.source.path.name, found.span.text) == ("part.xacro", "rest")
-    assert "text `rest`" in found.message
+    assert (found.span.source.path.name, found.span.text) == ("part.xacro", rest)
+    assert f"text `{rest.replace('&gt;', '>')}`" in found.message
