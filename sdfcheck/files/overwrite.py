@@ -147,10 +147,10 @@ def _remove_left(path: str) -> None:
 
 def _is_locked(handle: int) -> bool:
     """Lock a file that is written; False if another process has done so."""
-    try:
-        import fcntl
-    except ImportError:
+    if sys.platform == "win32":
         return True
+    import fcntl
+
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

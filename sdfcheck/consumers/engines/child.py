@@ -64,7 +64,7 @@ def _asked(adapter: Any, question: dict[str, Any], folder: str) -> dict[str, Any
         os.dup2(stream, 2)
         result.write_text(json.dumps(_worked(adapter, question)), encoding="utf-8")
 
-    ended = _fork(work, *question["limits"]) if hasattr(os, "fork") else _here(work)
+    ended = _apart(work, *question["limits"])
     said = _lines(output)
     if ended:
         return {**ended, "messages": said}
@@ -87,14 +87,14 @@ def _worked(adapter: Any, question: dict[str, Any]) -> dict[str, Any]:
     return {"outcome": "accept", "result": result}
 
 
-def _here(work: Callable[[], None]) -> dict[str, Any]:
-    """Where processes cannot be copied, a crash ends this one, which the asking process sees."""
-    work()
-    return {}
+def _apart(work: Callable[[], None], seconds: float, memory: int) -> dict[str, Any]:
+    """Do something in a copy of this process; says how the copy ended, if not well.
 
-
-def _fork(work: Callable[[], None], seconds: float, memory: int) -> dict[str, Any]:
-    """Do something in a copy of this process; says how the copy ended, if not well."""
+    Where processes cannot be copied, a crash ends this one, which the asking process sees.
+    """
+    if sys.platform == "win32" or not hasattr(os, "fork"):
+        work()
+        return {}
     child = os.fork()
     if child == 0:
         code = 1
@@ -123,6 +123,8 @@ def _fork(work: Callable[[], None], seconds: float, memory: int) -> dict[str, An
 
 
 def _limit(seconds: float, memory: int) -> None:
+    if sys.platform == "win32":
+        return
     import resource
 
     for kind, most in ((resource.RLIMIT_CPU, int(seconds) + 1), (resource.RLIMIT_AS, memory)):

@@ -111,6 +111,8 @@ def _closed(answer: bytes) -> str:
 
 def _forked(request: Request, packages: Packages, readable: sandbox.Readable, deadline: float) -> bytes:
     """The answer of a fork that expands the file, or the limit that it reached."""
+    if sys.platform == "win32":
+        raise NotImplementedError
     memory = mmap.mmap(-1, CRUMBS)
     reading, writing = os.pipe()
     child = os.fork()

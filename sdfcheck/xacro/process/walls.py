@@ -141,7 +141,9 @@ def lock(
 
 def restrict_files(folders: Iterable[str]) -> bool:
     """From now on nothing but these folders and files is read, and nothing is written (Landlock); was it possible?"""
-    version = _call(_CREATE_RULESET, None, 0, 1) if sys.platform == "linux" else -1
+    if sys.platform != "linux":
+        return False
+    version = _call(_CREATE_RULESET, None, 0, 1)
     if version < 1:
         return False
     rights = (1 << _FILE_RIGHTS.get(version, 16)) - 1
@@ -165,7 +167,9 @@ def restrict_files(folders: Iterable[str]) -> bool:
 
 def filter_calls() -> bool:
     """From now on the kernel does nothing but reading, computing and ending for this process; was it possible?"""
-    machine = os.uname().machine if sys.platform == "linux" else ""
+    if sys.platform != "linux":
+        return False
+    machine = os.uname().machine
     if machine not in _ARCHITECTURES or struct.calcsize("P") != 8:
         return False
     rows = _program(("x86_64", "aarch64").index(machine), _ARCHITECTURES[machine])
