@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -36,10 +37,11 @@ def validators(version: Version) -> tuple[etree.XMLSchema, etree.RelaxNG]:
     )
 
 
-def test_real_files() -> None:
+def test_real_files(stride: Callable[[int], int]) -> None:
     checked, refused = 0, []
-    for path in sorted(SHARED.glob("**/*.*")):
-        if path.suffix not in {".sdf", ".world"} or path.name in ARGUED:
+    paths = sorted(path for path in SHARED.glob("**/*.*") if path.suffix in {".sdf", ".world"})
+    for path in paths[:: stride(2)]:
+        if path.name in ARGUED:
             continue
         try:
             tree = etree.parse(path)
@@ -50,7 +52,7 @@ def test_real_files() -> None:
             continue
         checked += 1
         refused += [f"{path}: {by.error_log}" for by in validators(version) if not by.validate(tree)]
-    assert checked > 300
+    assert checked > 300 // stride(2)
     assert not refused, "\n".join(refused)
 
 

@@ -1,12 +1,12 @@
 """Every rule's examples go through every command that takes such a file, and none of them meets a bug.
 
-Commands for one file get every fifth of them, those for many every third, each others; with ``--all-examples`` they
-get all.
+Commands for one file get every eighth of them, those for many every fourth, each others; with ``--all-examples``
+they get all.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -37,7 +37,7 @@ ALL_AT_ONCE = (
     "convert sdf-to-sdf --no-lint --sdf-version 1.12 --output-dir {}",
 )
 
-THIRDS = 3
+PARTS = 4
 
 
 def examples() -> Iterator[tuple[str, str, dict[str, str]]]:
@@ -61,12 +61,12 @@ def _accounts() -> None:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder for each example, among the other files that it names; every third of them is in one folder."""
+    """A folder for each example, among the other files that it names; every fourth of them is in one folder."""
     top = tmp_path_factory.mktemp("examples")
     (top / ".git").mkdir()  # nothing around it belongs to them
     for number, (name, text, others) in enumerate(examples()):
         for file, content in {**others, name: text}.items():
-            path = top / str(number % THIRDS) / f"{number:04}" / file
+            path = top / str(number % PARTS) / f"{number:04}" / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
     return top
@@ -78,15 +78,11 @@ def files(folder: Path, *suffixes: str) -> list[Path]:
     return found
 
 
-@pytest.fixture
-def step(request: pytest.FixtureRequest) -> int:
-    return 1 if request.config.getoption("--all-examples") else 5
-
-
 @pytest.mark.parametrize("command", EACH_ALONE)
 def test_commands_for_one_file(
-    folder: Path, command: str, step: int, capsys: pytest.CaptureFixture[str]
+    folder: Path, command: str, stride: Callable[[int], int], capsys: pytest.CaptureFixture[str]
 ) -> None:
+    step = stride(8)
     for path in files(folder, ".sdf", ".urdf")[EACH_ALONE.index(command) % step :: step]:
         assert main([*command.split(), "--isolated", str(path)]) in {0, 1, 2}
         check(capsys, path)
@@ -98,18 +94,22 @@ def test_schemas(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
         check(capsys, path)
 
 
-def test_expansions(folder: Path, step: int, capsys: pytest.CaptureFixture[str]) -> None:
-    for path in files(folder, ".xacro")[::step]:
+def test_expansions(folder: Path, stride: Callable[[int], int], capsys: pytest.CaptureFixture[str]) -> None:
+    for path in files(folder, ".xacro")[:: stride(8)]:
         main(["expand", "--isolated", str(path)])
         check(capsys, path)
 
 
 @pytest.mark.parametrize("command", ALL_AT_ONCE)
 def test_commands_for_many_files(
-    folder: Path, tmp_path: Path, command: str, step: int, capsys: pytest.CaptureFixture[str]
+    folder: Path,
+    tmp_path: Path,
+    command: str,
+    stride: Callable[[int], int],
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     words = [word.format(tmp_path) for word in command.split()]
-    part = folder / str(ALL_AT_ONCE.index(command) % THIRDS) if step > 1 else folder
+    part = folder / str(ALL_AT_ONCE.index(command) % PARTS) if stride(PARTS) > 1 else folder
     assert main([*words, "--isolated", str(part)]) in {0, 1, 2}
     check(capsys, command)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 
@@ -80,7 +81,7 @@ def ask_everything(workspace: Workspace, path: Path, offset: int) -> None:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())
 def test_edits_leave_the_state_of_a_fresh_reading(path: Path, data: st.DataObject) -> None:
     workspace = Workspace()
@@ -114,13 +115,14 @@ def shown(findings: Findings, path: Path) -> list[tuple[object, ...]]:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_renaming_and_back_gives_the_same_bytes(path: Path) -> None:
+def test_renaming_and_back_gives_the_same_bytes(path: Path, stride: Callable[[int], int]) -> None:
     text = path.read_bytes().decode()
     workspace = Workspace()
     buffer = workspace.open(path.as_uri(), path, text, 1)
     document = workspace.document(path)
     assert document is not None
-    for symbol in {each.symbol.key: each.symbol for each in occurrences(document).all}.values():
+    symbols = {each.symbol.key: each.symbol for each in occurrences(document).all}
+    for symbol in list(symbols.values())[:: stride(3)]:
         is_odd = (
             "&" in symbol.name or symbol.name.startswith("__") or text.count(f'name="{symbol.name}"') > 1
         )  # broken, or not the only one
