@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from sdfcheck.cli.parts.command import Command
-from sdfcheck.cli.parts.descriptions import around, described, load
+from sdfcheck.cli.parts.descriptions import around, described, expander_for, load
 from sdfcheck.cli.parts.options import colored, limited, reported, require_file, written
 from sdfcheck.cli.parts.output import FORMATS, Output, outputs, refuse_to_write, write
 from sdfcheck.cli.parts.terminal import say
@@ -32,6 +32,7 @@ from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind
 
 if TYPE_CHECKING:
+    from sdfcheck.lint.config.settings import Settings as Configured
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.report.content import Robot
     from sdfcheck.source.document import Document
@@ -106,7 +107,7 @@ def simulate(  # noqa: PLR0913, PLR0917 - one for each option
     settings = Settings(engines, seconds, Limits(time_limit))
     configured = surroundings.settings_for(file)
     failing, book = configured.fail_on, RuleBook()
-    findings = _findings(document, settings, book.dispatch(configured, file), quiet=quiet)
+    findings = _findings(document, settings, book.dispatch(configured, file), configured, quiet=quiet)
     found, silenced = silence_simulated(findings, (*book.rules(configured), *SIMULATED), configured, file)
     done = Run(tuple(found), (file,), suppressed=silenced, gate=gate_of(request, failing))
     drawn = _drawn(done, document, wanted)
@@ -136,11 +137,14 @@ def _engines(names: Sequence[str]) -> tuple[Engine, ...]:
     return chosen
 
 
-def _findings(document: Document, settings: Settings, dispatch: Dispatch, *, quiet: bool) -> list[Diagnostic]:
+def _findings(
+    document: Document, settings: Settings, dispatch: Dispatch, configured: Configured, *, quiet: bool
+) -> list[Diagnostic]:
     """Of the simulation, and of a robot that is loaded, what rules about shapes and joints warn of, without fixes."""
     progress = _Progress(quiet=quiet)
     try:
-        found = run(document, settings, progress)
+        with expander_for(configured) as expander:
+            found = run(document, settings, expander, progress)
     except MissingEngine as error:
         raise WrongUsage(str(error)) from None
     finally:

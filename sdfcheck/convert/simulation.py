@@ -26,8 +26,10 @@ from sdfcheck.files.uris import locate
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Moment, Origin, Severity, counted
 from sdfcheck.lint.kinds import SimKind
 from sdfcheck.robot.motion.flatten import mechanism_of
-from sdfcheck.robot.motion.mechanism import Joint, Mechanism
+from sdfcheck.robot.motion.mechanism import Geometry, Joint, Link, Mechanism
+from sdfcheck.robot.motion.poses import inverse
 from sdfcheck.robot.root import root_of
+from sdfcheck.robot.semantics import files_of_robots
 from sdfcheck.source.document import read
 from sdfcheck.source.errors import DescriptionError, WrongUsage
 from sdfcheck.source.record import NamedTuple
@@ -36,9 +38,11 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from sdfcheck.files.library import Library
     from sdfcheck.robot.graph import Model
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
+    from sdfcheck.xacro.expansion import Expander
 
 
 _MESHES = {
@@ -67,6 +71,14 @@ _GAIN = 0.05
 GRAVITY = 9.81
 _SEMANTICS = 200
 """So many SRDF files are looked at, no more."""
+_DESCRIPTIONS = 12
+"""So many other descriptions of a robot are compared with it, no more."""
+_ALIKE_JOINTS = 3
+"""So many joints are equal in two descriptions of one robot, and all but one."""
+_ARM = 6
+"""Joints: robots of two names with no more in common may be arms of one family, with one length for another."""
+_EQUAL = 0.001
+"""m, and of turns and directions: numbers of two descriptions are rounded."""
 
 
 class Settings(NamedTuple):
@@ -80,8 +92,12 @@ class Settings(NamedTuple):
 Progress = Callable[[str], object]
 
 
-def simulate(document: Document, settings: Settings, progress: Progress = lambda _: None) -> list[Diagnostic]:
+def simulate(
+    document: Document, settings: Settings, expander: Expander, progress: Progress = lambda _: None
+) -> list[Diagnostic]:
     """The findings about all models of a description, sorted by place.
+
+    ``expander`` expands other descriptions of the robot that are written in xacro.
 
     Raises:
         MissingEngine: a simulator is not installed.
@@ -91,7 +107,7 @@ def simulate(document: Document, settings: Settings, progress: Progress = lambda
         for model in _models(document):
             if model.is_static:
                 continue
-            found += _simulated(model, settings, stage, progress)
+            found += _simulated(model, settings, stage, expander, progress)
     return sorted(found, key=lambda one: one.sort_key)
 
 
@@ -106,7 +122,9 @@ def _models(document: Document) -> Iterator[Model]:
         yield from world.models
 
 
-def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progress) -> Iterator[Diagnostic]:
+def _simulated(
+    model: Model, settings: Settings, stage: Stage, expander: Expander, progress: Progress
+) -> Iterator[Diagnostic]:
     try:
         subject = Subject(model)
     except (DescriptionError, NotConvertible, WrongUsage) as error:
@@ -130,6 +148,7 @@ def _simulated(model: Model, settings: Settings, stage: Stage, progress: Progres
             runs[engine] = trial.measured
             yield from trial.compared_with_conversion()
     yield from _disagreements(subject, runs)
+    yield from _contradictions(subject, expander)
 
 
 class Subject:
@@ -219,6 +238,11 @@ class Subject:
         for _ in self.robot.links:
             found |= {joint.child for joint in self.robot.joints.values() if joint.parent in found}
         return {urdf for urdf, name in self.links.items() if name in found}
+
+    @cached_property
+    def movers(self) -> list[str]:
+        """The names of the joints that move."""
+        return [joint.name for joint in self.robot.joints.values() if joint.moves]
 
     @cached_property
     def moved(self) -> set[str]:
@@ -690,6 +714,13 @@ def _place(element: Element) -> Span:
     return value.span if value is not None else element.span
 
 
+def _given(element: Element, name: str) -> Span:
+    """The numbers of a child element in URDF, or the name of the element."""
+    child = element.find(name)
+    value = None if child is None else child.attribute("xyz")
+    return value.span if value is not None else _place(element)
+
+
 def _as_good_as(a: float, b: float) -> bool:
     """Are two bounds equal? So large ones mean none."""
     return math.isclose(a, b, rel_tol=1e-3, abs_tol=1e-4) or (min(abs(a), abs(b)) >= 1e9 and a * b > 0)
@@ -725,3 +756,148 @@ def _disagreements(subject: Subject, runs: Mapping[Engine, Mapping[str, Any]]) -
             )
             element = link.element if link is not None else subject.model.element
             yield _diagnostic(SimKind.ENGINES_DISAGREE, element, text, Severity.WARNING)
+
+
+# Other descriptions of the robot in the project.
+
+
+class _Difference(NamedTuple):
+    """A joint that another description has otherwise, and that one's joint.
+
+    ``what`` says how, and ``where`` which element of URDF does; both are empty where either may be right.
+    """
+
+    joint: Joint
+    other: Joint
+    what: str = ""
+    where: str = ""
+
+
+class _Comparison(NamedTuple):
+    """The joints that another description has where a robot has them, by name, and the one that it has otherwise."""
+
+    equal: frozenset[str]
+    odd: _Difference | None
+
+
+def _contradictions(subject: Subject, expander: Expander) -> Iterator[Diagnostic]:
+    """The joints that other descriptions of the robot have otherwise, if more do than not, and all others alike."""
+    compared = [_compared(subject.robot, other) for other in _other_descriptions(subject, expander)]
+    alike = [each for each in compared if each is not None]
+    for joint in subject.robot.joints.values():
+        against = [(each.odd, len(each.equal)) for each in alike if each.odd and each.odd.joint is joint]
+        if len(against) <= sum(joint.name in each.equal for each in alike):
+            continue
+        found, count = against[0]
+        file = found.other.element.document.path.name
+        more = f", and in {counted(len(against) - 1, 'other file')}" if len(against) > 1 else ""
+        yield _diagnostic(
+            SimKind.OTHER_DESCRIPTION,
+            joint.element,
+            f"joint `{joint.name}` {found.what} in `{file}`{more}, where {count} other joints are as they are here",
+            Severity.WARNING,
+            (Label(_place(found.other.element), "the joint there"),),
+        )._replace(
+            span=_given(joint.element, found.where),
+            help="correct the one that is wrong: `sdfcheck diff` shows all that differs",
+        )
+
+
+def _other_descriptions(subject: Subject, expander: Expander) -> Iterator[Mechanism]:
+    """The robots of the project's other files that have its joints, those in the nearest files first."""
+    library, path = library_of(subject.document), subject.document.path
+    if library is None or library.search.is_alone or len(subject.movers) <= _ALIKE_JOINTS:
+        return
+    count = 0
+    for file in files_of_robots(subject.document, library.packages(path), (".urdf", ".sdf", ".xacro")):
+        try:
+            other = None if file.samefile(path) else _description(subject, library, file, expander)
+            yield from () if other is None else map(mechanism_of, _models(other))
+        except (OSError, DescriptionError, WrongUsage):
+            continue
+        count += other is not None
+        if count == _DESCRIPTIONS:
+            return
+
+
+def _description(subject: Subject, library: Library, file: Path, expander: Expander) -> Document | None:
+    """The description in a file, expanded; None where it has not the joints, or as xacro not the robot's name."""
+    text = library.read(file, subject.document).decode("utf-8", "replace")
+    if "<xacro:" not in text:
+        is_about_it = sum(f'"{name}"' in text for name in subject.movers) > _ALIKE_JOINTS
+        return library.document(file, of=subject.document) if is_about_it else None
+    if f'name="{subject.model.name}"' not in text:
+        return None
+    written = library.document(file, Kind.XACRO, subject.document)
+    expanded = None if written is None else expander.expand(written).document
+    if expanded is not None:
+        expanded.library = library
+    return expanded
+
+
+def _compared(robot: Mechanism, other: Mechanism) -> _Comparison | None:
+    """The joints of a robot and another one; None where that is not the same robot, but for one joint."""
+    equal, odd = set(), []
+    for joint in robot.joints.values():
+        there = other.joints.get(joint.name)
+        if there is None or not joint.axes or joint.parent not in robot.links:
+            continue
+        if (there.kind, there.parent, there.child) != (joint.kind, joint.parent, joint.child):
+            continue
+        found = _difference(robot, joint, other, there)
+        if found is None:
+            equal.add(joint.name)
+        else:
+            odd.append(found)
+    if len(odd) > 1 or len(equal) < _ALIKE_JOINTS:
+        return None
+    is_namesake = robot.name == other.name or len(equal) > _ARM
+    clear = [each for each in odd if each.where == "axis" or (each.where and is_namesake)]
+    return _Comparison(frozenset(equal), clear[0] if clear else None)
+
+
+def _difference(robot: Mechanism, joint: Joint, other: Mechanism, there: Joint) -> _Difference | None:
+    """The way in which a joint is not as in another robot; None where it is."""
+    own, its = (
+        inverse(each.links[one.parent].pose) @ one.pose for each, one in ((robot, joint), (other, there))
+    )
+    apart = math.dist(own[:3, 3], its[:3, 3])
+    along = float(joint.axes[0].direction @ there.axes[0].direction)
+    unclear = _Difference(joint, there)
+    if not np.allclose(own[:3, :3], its[:3, :3], atol=_EQUAL) or abs(along) < 1 - _EQUAL:
+        return unclear
+    if along < 0:
+        is_clear = apart <= _EQUAL and not _is_exchanged(joint, there)
+        return unclear._replace(what="moves the other way than", where="axis") if is_clear else unclear
+    if apart <= _EQUAL:
+        return None
+    ends = (joint.parent, joint.child)
+    is_clear = apart > _DEPTH and all(_is_alike(robot.links[end], other.links[end]) for end in ends)
+    what = f"is {_length(apart)} from where it is"
+    return unclear._replace(what=what, where="origin") if is_clear else unclear
+
+
+def _is_exchanged(joint: Joint, other: Joint) -> bool:
+    """Do two joints with opposite axes go to the same places, by their limits?"""
+    own, its = joint.axes[0], other.axes[0]
+    ends = (own.lower, own.upper), (-its.upper, -its.lower)
+    return abs(own.lower + own.upper) > _EQUAL and all(map(_as_good_as, *ends))
+
+
+def _is_alike(link: Link, other: Link) -> bool:
+    """Have two links the same shapes at the same places, meshes by their names and the sizes of their files?"""
+    pairs = zip(link.geometries, other.geometries, strict=False)
+    return 0 < len(link.geometries) == len(other.geometries) and all(
+        a.kind == b.kind
+        and a.is_as_large_as(b, _EQUAL)
+        and np.allclose(a.pose, b.pose, atol=_EQUAL)
+        and _file(a) == _file(b)
+        for a, b in pairs
+    )
+
+
+def _file(shape: Geometry) -> tuple[str, int]:
+    """The name of a mesh and the size of its file, 0 where it is not found."""
+    path = locate(shape.element.document, shape.uri).path if shape.uri else None
+    size = os.path.getsize(path) if path is not None and os.path.isfile(path) else 0
+    return shape.uri.replace("\\", "/").rpartition("/")[2] if size else shape.uri, size

@@ -60,6 +60,10 @@ class SimKind(FindingKind):
     ENGINES_DISAGREE = "SIM010 Two simulators let the robot fall differently."
     LEFT_OUT = "SIM011 A part of the robot is not simulated, as the simulator cannot read it."
     CONVERSION_DIFFERS = "SIM012 The robot falls differently when it comes back from SDFormat."
+    OTHER_DESCRIPTION = (
+        "SIM013 A joint is elsewhere, or turns the other way, than in other files of the project that "
+        "describe the robot, and have all its other joints in common."
+    )
 
     @property
     def is_grave(self) -> bool:

@@ -490,7 +490,7 @@ def _declared_robots(semantics: Semantics, library: Library, expand: Expand | No
 
 def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99) -> Model | None:
     """The robot of another name in the nearest URDF file called like the SRDF file, if it has enough of the names."""
-    for path in _files(semantics.document, packages, (".urdf",)):
+    for path in files_of_robots(semantics.document, packages, (".urdf",)):
         if path.stem == semantics.document.path.stem:
             head = _head(path, semantics)
             robot = None if head is None else _robot(path, head, semantics, None)
@@ -502,7 +502,7 @@ def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99)
 def _namesake(semantics: Semantics, packages: Packages) -> Model | None:
     """The URDF robot of another name that has all that a file names, where no robot may have its name."""
     heads: dict[Path, _Head] = {}
-    for path in _files(semantics.document, packages, (".urdf", ".xacro")):
+    for path in files_of_robots(semantics.document, packages, (".urdf", ".xacro")):
         head = _head(path, semantics)
         if head is not None:
             heads[path] = head
@@ -587,7 +587,7 @@ def _alike_first(semantics: Semantics, library: Library) -> Iterator[Path]:
     """The files that may hold robots, in the package and in the project; first those that are called alike."""
     path = semantics.document.path
     for packages in (Packages(_package(path)), library.packages(path)):
-        files = _files(semantics.document, packages, (".urdf", ".xacro"))
+        files = files_of_robots(semantics.document, packages, (".urdf", ".xacro"))
         yield from sorted(files, key=lambda file: _stem(file) != _stem(path))
 
 
@@ -612,7 +612,7 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
     """The robots of its name that have links; None for each that cannot be expanded."""
     found = guesses = 0
     suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
-    for path in _files(semantics.document, packages, suffixes):
+    for path in files_of_robots(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
         head = _own_head(path, semantics)
@@ -630,7 +630,7 @@ def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None)
             yield robot
 
 
-def _files(document: Document, packages: Packages, suffixes: tuple[str, ...]) -> list[Path]:
+def files_of_robots(document: Document, packages: Packages, suffixes: tuple[str, ...]) -> list[Path]:
     """The files that may hold robots, the nearest first."""
     library = library_of(document)
     listed = {} if library is None else library.view(packages, _listed)

@@ -77,6 +77,33 @@ def test_robots_that_behave(
     assert findings(text, engine, tmp_path, capsys) == []
 
 
+AXIS, PLACE = '<child link="wheel_3"/><axis xyz="0 1 0"/>', '<origin xyz="-0.2 -0.3 0"/>'
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        (AXIS, AXIS.replace("0 1 0", "0 -1 0"), "joint `turn_3` moves the other way than in `cart.xacro`"),
+        (PLACE, '<origin xyz="-0.1 -0.3 0"/>', "joint `turn_3` is 100 mm from where it is in `cart.xacro`"),
+        ('name="turn_3"', 'name="other"', ""),
+        ('name="cart"', 'name="truck"', ""),
+    ],
+    ids=["axis", "place", "name-of-joint", "name-of-robot"],
+)
+def test_a_joint_that_another_description_has_otherwise(
+    old: str, new: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / ".git").mkdir()
+    source = cart().replace("<robot ", '<robot xmlns:xacro="http://wiki.ros.org/xacro" ')
+    source = source.replace("</robot>", '<xacro:property name="p" value="1"/></robot>')
+    (tmp_path / "cart.xacro").write_text(source, encoding="utf-8")
+    found = findings(cart().replace(old, new), Engine.MUJOCO, tmp_path, capsys)
+    assert [one["code"] for one in found if one["code"] == "SIM013"] == ["SIM013"] * bool(says)
+    assert any(says in one["message"] for one in found) or not says
+    (tmp_path / "copy.urdf").write_text(cart(), encoding="utf-8")
+    assert findings(cart(), Engine.MUJOCO, tmp_path, capsys) == []
+
+
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize(
     ("text", "code", "says"),
