@@ -597,9 +597,15 @@ class Trial:
                 yield self._at_link(SimKind.STEP_DEPENDENT, self._name(name), text, "warning")
 
     def _sweep(self, met: Iterable[Sequence[Any]], mirrored: Iterable[Sequence[Any]]) -> Iterator[Diagnostic]:
-        barred = {row[0] for row in mirrored if self._is_meeting(row)}
         rows = [row for row in met if self._is_meeting(row)]
+        barred = {row[0] for row in mirrored if self._is_meeting(row)}
         deepest = {row[0]: row for row in sorted(rows, key=lambda row: row[3])}
+        free = {
+            self.subject.joints[joint]: row
+            for joint, row in deepest.items()
+            if joint not in barred and row[3] > _DEEP and row[6] > 1
+        }
+        twins = {each.mirror.name for each in self.subject.model.joints if each.mirror and each.name in free}
         for row in rows:
             joint, a, b, depth, position, point, count, steps = row
             one, other = self._name(a), self._name(b)
@@ -609,7 +615,7 @@ class Trial:
             text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
             often = f" ({count} of {steps} positions) in {self.title}{note}"
             severity = severity if 2 * count > steps else "info"
-            if row is deepest[joint] and joint not in barred and depth > _DEEP and count > 1:
+            if row is free.get(own.name) and own.name not in twins:
                 severity, often = "warning", f"{often}; with the opposite axis it would meet nothing"
             moment = self._moment({own.name: position}, point)
             yield self._at_joint(SimKind.COLLIDING_JOINT, own, text + often, severity, moment)

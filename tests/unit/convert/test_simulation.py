@@ -173,6 +173,34 @@ def test_a_joint_that_would_meet_nothing_with_the_opposite_axis(
     assert codes(findings(turned, Engine.MUJOCO, tmp_path, capsys)) == set()
 
 
+def arms(axes: dict[str, int]) -> str:
+    """A body with an arm on each side that swings about x, down into the body or up; the axis of each side."""
+    sides = "".join(
+        f"""<link name="{side}_mount">{inertial(1, 0.01)}{box(".02 .02 .02")}</link>
+<joint name="{side}_slide" type="prismatic"><origin xyz="0 {0.25 * out} 0.3"/><parent link="base"/>
+<child link="{side}_mount"/><axis xyz="1 0 0"/>{limit(-0.01, 0.01)}</joint>
+<link name="{side}_arm">{inertial(1, 0.01)}{box(".1 .4 .1", f"0 {0.2 * out} 0")}</link>
+<joint name="{side}_shoulder" type="revolute"><parent link="{side}_mount"/><child link="{side}_arm"/>
+<axis xyz="{axes[side]} 0 0"/>{limit(-1.4, 0) if out > 0 else limit(0, 1.4)}</joint>"""
+        for side, out in (("left", 1), ("right", -1))
+    )
+    body = inertial(50, 5) + box(".6 1.2 .1")
+    return f'<robot name="r"><link name="base">{body}</link>{sides}</robot>'
+
+
+def limit(lower: float, upper: float) -> str:
+    return f'<limit lower="{lower}" upper="{upper}" effort="99" velocity="1"/>'
+
+
+@pytest.mark.parametrize(("right", "is_told"), [(-1, True), (1, False)], ids=["one-side", "both-sides"])
+def test_what_both_sides_do_is_no_opposite_axis(
+    right: int, is_told: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = findings(arms({"left": 1, "right": right}), Engine.MUJOCO, tmp_path, capsys)
+    assert any(one["code"] == "SIM007" and "left_shoulder" in one["message"] for one in found)
+    assert any("with the opposite axis" in one["message"] for one in found) is is_told
+
+
 def test_joints_that_follow_others_move_with_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     fingers = "".join(
         f"""<link name="{name}">{inertial(0.1, 0.0001)}{box(".02 .04 .1")}</link>
