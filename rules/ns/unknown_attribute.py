@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, replace, used
 
 
 class UnknownAttribute(Rule):
@@ -37,6 +37,10 @@ class UnknownAttribute(Rule):
         ),
         Bad('<link name="arm" «color»="red"/>', says="unknown attribute `color` of link `arm`"),
         Bad(
+            '<link name="arm" «color»="red"/><link name="leg" color="red"/>',
+            says="unknown attribute `color` of link `arm` (used 2 times)",
+        ),
+        Bad(
             '<frame name="f" attached_to="base" «atached_to»="base"/>',
             says="unknown attribute `atached_to` of frame `f`",
         ),
@@ -59,7 +63,7 @@ class UnknownAttribute(Rule):
             return  # the business of misplaced-degrees
         attribute = element.attribute(name)
         place = attribute.name_span if attribute is not None else element.span
-        message = f"unknown attribute `{name}` of {element.title}"
+        message = f"unknown attribute `{name}` of {element.title}{used(problem.count)}"
         if problem.child is not None:
             message = f"`{name}` of {element.title} is an element, not an attribute"
             if problem.others:

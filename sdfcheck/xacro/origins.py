@@ -384,7 +384,8 @@ class ExpandedDocument(Document):
             )
             if start >= 0:
                 moved = start - around[0]
-                return self.spans.span(element, span.start + moved, span.end + moved)
+                place = self.spans.span(element, span.start + moved, span.end + moved)
+                return OriginSpan.with_value(place, span.text)
         return None
 
 
