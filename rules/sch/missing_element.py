@@ -38,7 +38,7 @@ class MissingElement(Rule):
     the whole image of a camera, its field of view, clip distances, lens and noise of cameras and other sensors; topics;
     the normal of a plane (up), and its size as a collision, which has no end; states.
 
-    A robot with nothing in it, which holds the place of a part, is a warning.
+    A robot without name and content, which holds the place of a part, is a warning.
     """
 
     code = "SCH004"
@@ -169,8 +169,8 @@ class MissingElement(Rule):
 
 
 def is_placeholder(element: Element) -> bool:
-    """Is it a robot with nothing in it?"""
-    return element.name == "robot" and not any(element.children())
+    """Is it a robot with nothing in it, and without a name?"""
+    return element.name == "robot" and "name" not in element.attributes and not any(element.children())
 
 
 def other_end(problem: problems.MissingElement) -> dict[Element, str]:

@@ -255,7 +255,7 @@ def test_a_robot_names_parts_of_one_that_includes_it(folder: Path) -> None:
 @pytest.mark.parametrize("where", ['<xacro:include filename="{}"/>', '<xacro:arg name="f" default="{}"/>'])
 def test_a_robot_without_links_that_another_file_includes_lacks_nothing(folder: Path, where: str) -> None:
     (folder / "empty.urdf").write_text('<robot name="r"></robot>')
-    assert ("SCH004", "warning") in found(folder, name="empty.urdf")
+    assert ("SCH004", "error") in found(folder, name="empty.urdf")
     (folder / "robot.xacro").write_text(ROBOT.format(where.format("empty.urdf")))
     assert found(folder, name="empty.urdf") == []
 
