@@ -1,4 +1,5 @@
 from collections.abc import Iterator, Sequence
+from math import log
 
 from sdfcheck import (
     IN_LINK,
@@ -11,6 +12,7 @@ from sdfcheck import (
     Severity,
     Shape,
     TextEdit,
+    listed,
     make_fix,
 )
 from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
@@ -22,7 +24,10 @@ NEAR, EXACT, ROUNDED = 0.05, 0.125, 0.002
 than the second of what it is off as they are; the third may come from rounding."""
 ACROSS = 0.1
 """Of the cosine: a cylinder with a smaller one is across an axis."""
-PAIRS = ((1, 2), (0, 1), (0, 2))
+PAIRS, RINGS = ((0, 2, 1), (1, 0, 2), (2, 1, 0)), ((1, 2, 0), (2, 0, 1))
+"""The axis whose moment belongs to each axis, where two or all three are exchanged."""
+CLEARLY = 0.2
+"""So much better, in the sum of the logarithms, must all three fit than two."""
 NAMES = ("ixx", "iyy", "izz")
 WHEEL = (
     '<collision name="c"><pose>0 0 0 1.5708 0 0</pose><geometry><cylinder><radius>0.18</radius>'
@@ -33,6 +38,10 @@ BEAM = (
     '<inertial><mass value="1.37"/><inertia ixx="{}" ixy="0" ixz="0" iyy="0.0303" iyz="0" izz="{}"/></inertial>'
     '<collision><geometry><box size="0.508 0.09 0.09"/></geometry></collision>'
 )
+BLOCK = (
+    "<inertial><mass>12</mass><inertia><ixx>{}</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
+    '<collision name="c"><geometry><box><size>0.01 2 1</size></box></geometry></collision>'
+)
 BOARD = (
     "<inertial><mass>1.2</mass><inertia><ixx>0.00090</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
     '<collision name="c"><geometry><box><size>1.04 0.03 0.09</size></box></geometry></collision>'
@@ -40,9 +49,9 @@ BOARD = (
 
 
 class ExchangedMoments(Rule):
-    """Two moments of inertia of a link are exchanged.
+    """Two moments of inertia of a link are exchanged, or all three.
 
-    The other way round they fit the box around the link's shapes; as they are, they belong to a body that lies
+    In another order they fit the box around the link's shapes; as they are, they belong to a body that lies
     across. Often the shape is turned by its own pose (a wheel), and the inertia is that of the unturned one.
     Seven such mistakes were corrected by the maintainers of public robots.
     """
@@ -50,7 +59,7 @@ class ExchangedMoments(Rule):
     code = "INR015"
     name = "exchanged-moments"
     severity = Severity.WARNING
-    remedy = """Exchange the two moments, or turn the inertial as the shape is turned.
+    remedy = """Exchange the moments, or turn the inertial as the shape is turned.
 
     The moment about an axis is large where the body extends across that axis: a rod along x has the small
     moment `ixx`, a wheel that turns about y the large one `iyy`. Where the shape has a rotation of its own,
@@ -79,6 +88,12 @@ class ExchangedMoments(Rule):
             unsafe=True,
             says="iyy 0.10825 and izz 0.10897 look exchanged",
         ),
+        Bad(
+            BLOCK.format("«1»", "4", "5"),
+            fixed=BLOCK.format("5", "1", "4"),
+            unsafe=True,
+            says="ixx 1, iyy 4 and izz 5 look exchanged: the shapes of link `base` fill",
+        ),
     )
     good = (
         Good(INERTIAL.format("", "0.024", "0.044", "0.024") + WHEEL),
@@ -95,21 +110,26 @@ class ExchangedMoments(Rule):
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         box = inertial.link.box
         assert box is not None, "it was compared"
-        first, second = (inertial.moments[NAMES[axis]] for axis in exchanged(inertial))
-        one, other = (NAMES[axis] for axis in exchanged(inertial))
+        order = exchanged(inertial)
+        values = [inertial.moments[name] for name in NAMES]
+        axes = [axis for axis, source in enumerate(order) if axis != source]
         lengths = " × ".join(f"{length:.3g}" for length in box.size)
-        edits = (TextEdit(first.span, second.text), TextEdit(second.span, first.text))
+        edits = tuple(TextEdit(values[axis].span, values[order[axis]].text) for axis in axes)
+        first, *others = (values[axis] for axis in axes)
         yield self.diagnostic(
             first,
-            f"{one} {first.text} and {other} {second.text} look exchanged: the shapes of {inertial.link.title}"
-            f" fill {lengths} m",
-            labels={second: "the other one", inertial.link.shapes[0]: "the first of its shapes"},
-            fix=make_fix(f"exchange {one} and {other}", edits, unsafe=True),
+            f"{listed(f'{NAMES[axis]} {values[axis].text}' for axis in axes)} look exchanged:"
+            f" the shapes of {inertial.link.title} fill {lengths} m",
+            labels={
+                **dict.fromkeys(others, "the other one"),
+                inertial.link.shapes[0]: "the first of its shapes",
+            },
+            fix=make_fix(f"exchange {listed(NAMES[axis] for axis in axes)}", edits, unsafe=True),
         )
 
 
 def exchanged(inertial: Inertial) -> tuple[int, ...]:
-    """The axes of the two moments that fit the link's shapes the other way round; none where they fit."""
+    """The axis whose moment belongs to each axis by the link's shapes; none where they fit as they are."""
     if not is_doubtful(inertial) or len(set(inertial.tensor[:3])) == 1:
         return ()
     if not is_weighed(inertial) or is_turned(inertial) or is_about_axis(inertial):
@@ -149,7 +169,7 @@ def is_about_axis(inertial: Inertial) -> bool:
 
 
 def of_another_body(inertial: Inertial) -> tuple[int, ...]:
-    """The two that fit the box around the shapes only the other way round."""
+    """The order in which they fit the box around the shapes, as they do not now."""
     moments = inertial.tensor[:3]
     box = inertial.link.box if max(moments) >= DIFFERS / FITS * min(moments) else None
     if box is None:
@@ -158,34 +178,40 @@ def of_another_body(inertial: Inertial) -> tuple[int, ...]:
     solid = [inertial.mass.number / 12 * (sum(squares) - square) for square in squares]
     if not min(solid) > 0 or off(moments, solid) <= DIFFERS:
         return ()
-    for first, second in PAIRS:
-        turned = list(moments)
-        turned[first], turned[second] = turned[second], turned[first]
-        if off(turned, solid) <= FITS:
-            return first, second
-    return ()
+    turned = {order: [moments[axis] for axis in order] for order in (*PAIRS, *RINGS)}
+    fitting = {
+        order: total(each, solid) + CLEARLY * (order in RINGS)
+        for order, each in turned.items()
+        if off(each, solid) <= FITS
+    }
+    return min(fitting, key=fitting.__getitem__, default=())
 
 
 def of_other_axes(inertial: Inertial) -> tuple[int, ...]:
-    """The two that differ little, and just as those of the only solid do about the other axes."""
+    """The order with two exchanged that differ little, and just as those of the only solid do about the other axes."""
     moments, solids = inertial.tensor[:3], inertial.link.solids
     only = solids[0].geometry.solid if len(solids) == 1 and not is_turned(solids[0]) else None
     if only is None or not min(only.moments[:3]) > 0:
         return ()
     solid = [inertial.mass.number * moment for moment in only.moments[:3]]
-    for first, second in PAIRS:
-        turned = list(moments)
-        turned[first], turned[second] = turned[second], turned[first]
+    for order in PAIRS:
+        first, second = (axis for axis, source in enumerate(order) if axis != source)
+        turned = [moments[axis] for axis in order]
         as_written = abs(moments[first] * solid[second] / moments[second] / solid[first] - 1)
         exchanged_back = abs(turned[first] * solid[second] / turned[second] / solid[first] - 1)
         if as_written > ROUNDED and exchanged_back < EXACT * as_written and off(turned, solid) < 1 + NEAR:
-            return first, second
+            return order
     return ()
 
 
 def off(moments: Sequence[float], others: Sequence[float]) -> float:
     """The greatest factor between moments about one axis."""
     return max(max(one / other, other / one) for one, other in zip(moments, others, strict=True))
+
+
+def total(moments: Sequence[float], others: Sequence[float]) -> float:
+    """How far moments are from others, all three together."""
+    return sum(abs(log(one / other)) for one, other in zip(moments, others, strict=True))
 
 
 def is_turned(part: Inertial | Shape) -> bool:

@@ -17,7 +17,8 @@ class LimitsInMillimeters(Rule):
     """The limits of a joint that slides are as one would write them in millimeters.
 
     Both formats measure lengths in meters: a gripper from 0 to 40 opens by forty meters. The way of such a joint is
-    more than a hundred times as long as both of its links.
+    more than a hundred times as long as both of its links. Links that nobody sees do not count: they are the way of a
+    base in its world.
     """
 
     code = "JNT029"
@@ -43,6 +44,12 @@ class LimitsInMillimeters(Rule):
         Good(
             SLIDE.format('<limit lower="-1000" upper="1000" effort="5" velocity="1"/>'),
             why="written for no limit",
+        ),
+        Good(
+            SLIDE.replace("visual>", "collision>").format(
+                '<limit lower="-50" upper="50" effort="5" velocity="1"/>'
+            ),
+            why="the link of a base that moves in a plane",
         ),
     )
 
@@ -71,6 +78,7 @@ def is_long(limit: Limit) -> bool:
 
 
 def length(limit: Limit) -> float:
-    """The greatest length (m) of the two links of its joint; 0 where it is not known."""
-    extents = [link.extent for link in (limit.joint.child_link, limit.joint.parent_link) if link is not None]
+    """The greatest length (m) of the two links of its joint that are seen; 0 where it is not known."""
+    links = (limit.joint.child_link, limit.joint.parent_link)
+    extents = [link.extent for link in links if link is not None and link.visuals]
     return max((max(box.size) for box in extents if box is not None), default=0.0)

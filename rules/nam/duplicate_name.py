@@ -99,6 +99,11 @@ class DuplicateName(Rule):
             why="the names of plugins are free",
         ),
         Good(
+            '<link name="arm"/><joint name="j" type="ball"><parent>base</parent><child>arm</child>'
+            "<physics/><physics/></joint>",
+            why="the settings of a joint have no name",
+        ),
+        Good(
             LEFT_OUT, why="libsdformat leaves the joint out with its child, which has no mass", scaffold="{}"
         ),
     )
@@ -143,7 +148,7 @@ def unnamed_physics(root: Root) -> list[tuple[Element, Element, Element]]:
     first: dict[Element, Element] = {}
     for physics in root.elements.get("physics", ()) if not root.is_urdf else ():
         world, name = physics.parent, physics.attributes.get("name")
-        if world is not None and name in {None, UNNAMED}:
+        if world is not None and world.name == "world" and name in {None, UNNAMED}:
             earlier = first.setdefault(world, physics)
             if earlier is not physics and name is None:
                 found.append((world, earlier, physics))

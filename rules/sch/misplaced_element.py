@@ -15,10 +15,13 @@ from sdfcheck import (
     problems,
     rename,
     rewrite,
+    used,
 )
 
 COLORS = ("ambient", "diffuse")
 RECORD = "link_state"
+SHOWN = 3
+"""Names that a message lists."""
 
 
 class MisplacedElement(Rule):
@@ -43,6 +46,14 @@ class MisplacedElement(Rule):
     bad = (
         Bad("<«mass»>2</mass>", says="does not belong in link `base`; it goes into `inertial`"),
         Bad("<«static»>true</static>", says="it goes into `model`"),
+        Bad(
+            "<inertial><mass>1</mass><«ixx»>1</ixx><iyy>1</iyy><izz>1</izz><ixy>0</ixy></inertial>",
+            says="`ixx`, `iyy`, `izz` and 1 more do not belong in `inertial`; they go into `inertia`",
+        ),
+        Bad(
+            '<«joint» name="i" type="ball"/><joint name="j" type="ball"/>',
+            says="`joint` (used 2 times) does not belong in link `base`; it goes into",
+        ),
         Bad("<«wrench»>0 0 0 0 0 0</wrench>", says="it goes into `link_state`"),
         Bad(
             '<sensor name="s" type="imu"><imu><angular_velocity><«noise»/></angular_velocity></imu></sensor>',
@@ -90,6 +101,13 @@ class MisplacedElement(Rule):
             scaffold="{}",
             why="syntax-error says that the link is not closed",
         ),
+        Good(
+            '<sdf version="1.12"><model name="m"><link name="a"/><frame name="f"/></model>'
+            '<frame name="g"/><joint name="j" type="fixed"><parent>a</parent><child>world</child></joint>'
+            "</model></sdf>",
+            scaffold="{}",
+            why="syntax-error says that the model ends twice",
+        ),
         Good("<contact><lateral_friction>1</lateral_friction></contact>", why="PyBullet reads it"),
     )
 
@@ -103,7 +121,10 @@ class MisplacedElement(Rule):
                 help="drop `reference` for a plugin of the robot; a plugin of a sensor goes into its `sensor`",
             )
             return
-        message = f"`{element.name}` does not belong in {parent.title}"
+        names = list(dict.fromkeys(each.name for each in (element, *problem.others)))
+        count = len(problem.others) + 1 if len(names) == 1 else 1
+        do, they, go = ("does", "it", "goes") if len(names) == 1 else ("do", "they", "go")
+        message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {parent.title}"
         if (element.name, parent.name) == ("color", "material"):
             message += ", which has `diffuse` and `ambient` in SDFormat"
             yield self.diagnostic(element, message, fix=as_colors(element, parent))
@@ -111,7 +132,7 @@ class MisplacedElement(Rule):
         if problem.suggestion is not None:
             message += f"; did you mean `{problem.suggestion}`?"
         else:
-            message += f"; it goes into {named(problem.places, 'or', most=3)}"
+            message += f"; {they} {go} into {named(problem.places, 'or', most=SHOWN)}"
         fix = rename(problem.suggestion, element)
         if problem.ignored:
             # The recorded state of a link, copied into the model, makes no other robot of it; nor does a default.

@@ -37,6 +37,8 @@ class MissingElement(Rule):
     the Earth's surface; products of inertia (0); limits of joints (none), springs (none) and the terms of a mimic;
     the whole image of a camera, its field of view, clip distances, lens and noise of cameras and other sensors; topics;
     the normal of a plane (up), and its size as a collision, which has no end; states.
+
+    A robot without name and content, which holds the place of a part, is a warning.
     """
 
     code = "SCH004"
@@ -149,8 +151,9 @@ class MissingElement(Rule):
                 message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
             fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
         if problem.refused:
-            affects = lacking(problem.element, problem.child)
-            yield self.diagnostic(place, message, fix=fix, affects=affects, labels=other_end(problem))
+            affects, labels = lacking(problem.element, problem.child), other_end(problem)
+            severity = Severity.WARNING if is_placeholder(problem.element) else None
+            yield self.diagnostic(place, message, severity=severity, fix=fix, affects=affects, labels=labels)
             return
         if problem.default is not None:
             is_one = len(problem.attributes) < 2
@@ -163,6 +166,11 @@ class MissingElement(Rule):
         yield self.diagnostic(
             place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
         )
+
+
+def is_placeholder(element: Element) -> bool:
+    """Is it a robot with nothing in it, and without a name?"""
+    return element.name == "robot" and "name" not in element.attributes and not any(element.children())
 
 
 def other_end(problem: problems.MissingElement) -> dict[Element, str]:

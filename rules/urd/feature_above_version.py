@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, Value, problems
+from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, Value, problems, used
 
 ROBOT = '<robot name="r"{}><link name="a"><visual>{{}}</visual></link></robot>'
 CAPSULE = '<geometry><capsule radius="1" length="2"/></geometry>'
@@ -42,13 +42,19 @@ class FeatureAboveVersion(Rule):
             '<origin «quat_xyzw»="0 0 0 1"/><geometry><sphere radius="1"/></geometry>',
             says="`quat_xyzw` came with URDF 1.1",
         ),
+        Bad(
+            CAPSULE.replace("capsule", "«capsule»", 1) + f"</visual><collision>{CAPSULE}</collision><visual>"
+            '<geometry><sphere radius="1"/></geometry>',
+            says="`capsule` (used 2 times) came with URDF 1.1",
+        ),
     )
     good = (Good(CAPSULE, scaffold=ROBOT.format(' version="1.1"'), why="declared"),)
 
     def check(self, problem: problems.FeatureAboveVersion) -> Iterator[Diagnostic]:
         place = problem.place
         message = (
-            f"`{problem.what}` came with URDF {problem.since}, and the robot is of version {problem.declared}"
+            f"`{problem.what}`{used(problem.count)} came with URDF {problem.since}, "
+            f"and the robot is of version {problem.declared}"
         )
         advice = f'declare it: <robot version="{problem.since}">'
         target = place.name_span if isinstance(place, Value) else place.span

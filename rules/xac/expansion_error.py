@@ -49,6 +49,9 @@ _ELSEWHERE = {"above", "argument", "pattern", "variable", "withheld", *_MISSING}
 """The kinds of what another computer, or another call, may have."""
 
 
+_STOP = "xacro.fatal("
+
+
 class ExpansionError(Rule):
     """xacro cannot expand the file.
 
@@ -58,8 +61,9 @@ class ExpansionError(Rule):
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
     an environment variable that is not set here, a file that is not there for the default of an argument, that git
-    ignores, or whose path holds on one computer or from another folder only, and what xacro does not stop for: a
-    pattern that matches no file, and a mistake in a branch or macro that is not reached.
+    ignores, or whose path holds on one computer or from another folder only, what the file stops at on purpose
+    (`xacro.fatal`), and what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or
+    macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.
@@ -84,6 +88,11 @@ class ExpansionError(Rule):
             '<xacro:property name="half" value="«${1 +}»"/><link name="a${half}"/>',
             file=FILE,
             says="`${1 +}` cannot be evaluated",
+        ),
+        Bad(
+            "<xacro:if value='1'>«${xacro.fatal('which arm?')}»</xacro:if>",
+            file=FILE,
+            says="the file stops here on purpose: which arm?",
         ),
         Bad(
             '<xacro:if value="«yes»"><link name="a"/></xacro:if>',
@@ -125,6 +134,8 @@ class ExpansionError(Rule):
             own["help"] = (
                 f"give it a value (`{problem.detail}:=…` after the file), or define it before its first use"
             )
+        elif is_meant(problem):
+            own |= {"severity": Severity.WARNING, "help": "give it the arguments that it asks for"}
         elif kind in _ELSEWHERE or (reason is not None and reason.argument) or is_absolute(problem):
             own["severity"] = Severity.WARNING
         if kind in _MISSING:
@@ -137,6 +148,11 @@ class ExpansionError(Rule):
         )
 
 
+def is_meant(problem: problems.ExpansionFailure) -> bool:
+    """Does the file stop itself, as it lacks an argument?"""
+    return _STOP in problem.expression
+
+
 def is_absolute(problem: problems.ExpansionFailure) -> bool:
     """Is a file missing whose path holds on one computer only?"""
     return problem.kind.value == "file" and problem.span.text.startswith("/")
@@ -147,6 +163,8 @@ def _message(problem: problems.ExpansionFailure) -> str:
     if kind == "argument" and reason is not None:
         return f"argument `{detail}` has no value here: {reason.words}"
     because = f"; {reason.words}" if reason is not None else ""
+    if is_meant(problem):
+        return f"the file stops here on purpose: {detail}"
     if kind == "expression" and problem.expression:
         return f"`{problem.expression}` cannot be evaluated: {detail}{because}"
     return _MESSAGES.get(kind, "expansion fails: {detail}").replace("{detail}", detail) + because

@@ -5,6 +5,8 @@ from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import report
 
 LIBRARY = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+STOPS = ("error", "fatal")
+"""They stop xacro, as is meant: it knows none of them."""
 _IGNORES = ignores("the element, unless xacro comes before it")
 
 
@@ -14,7 +16,8 @@ class UndefinedMacro(Rule):
     xacro stops at an element with its prefix that is neither its own nor a macro. In
     a macro library a call is reported only if no file of the project defines the macro
     and a known name is close to it: who includes the library may bring the rest. Where the name of
-    the file ends in `.urdf`, simulators read it without xacro, and ignore the element.
+    the file ends in `.urdf`, simulators read it without xacro, and ignore the element. `xacro:error` and `xacro:fatal`,
+    which stop xacro only as they are no macros, are a warning.
     """
 
     code = "XAC003"
@@ -45,6 +48,7 @@ class UndefinedMacro(Rule):
             file=FILE,
             says="did you mean `property`?",
         ),
+        Bad('<xacro:«error» msg="which arm?"/>', file=FILE, says="write `${xacro.fatal('…')}` to stop"),
         Bad("<xacro:«grey»/><xacro:grey/>", file=FILE, says="macro `grey` is not defined (used 2 times)"),
         Bad(
             '<xacro:include filename="base.xacro"/><xacro:«wheel»/>',
@@ -74,6 +78,9 @@ class UndefinedMacro(Rule):
 
     def check(self, problem: problems.UndefinedMacro) -> Iterator[Diagnostic]:
         found = report(self, problem, "macro")
+        if problem.name in STOPS:
+            advice = "give it the arguments that it asks for"
+            found = found._replace(severity=Severity.WARNING, help=advice)
         if problem.span.source.path.suffix.lower() == ".urdf":
             found = found._replace(affects=tuple((consumer.value, _IGNORES) for consumer in Consumer))
         yield found

@@ -47,7 +47,7 @@ class MisplacedElement(Record):
 
     ``places`` are the parents that do, the likeliest first and those only if there are
     any. ``ignored`` is False for what consumers find wherever it is, ``is_default`` True for a
-    value that holds without it.
+    value that holds without it. ``others`` are siblings that go where it goes.
     """
 
     element: Element
@@ -56,6 +56,7 @@ class MisplacedElement(Record):
     suggestion: str | None
     ignored: bool = True
     is_default: bool = False
+    others: tuple[Element, ...] = ()
 
 
 class TooNewElement(Record):
@@ -286,13 +287,14 @@ class UnknownUrdfAttribute(Record):
 class FeatureAboveVersion(Record):
     """Something of a later version of URDF, which urdfdom ignores in this document or refuses.
 
-    ``place`` is an element or an attribute, ``what`` its name.
+    ``place`` is an element or an attribute, ``what`` its name, ``count`` how often it is used there.
     """
 
     place: Element | Value
     what: str
     since: str
     declared: str
+    count: int
 
 
 class UnexpandedExpression(Record):

@@ -1694,8 +1694,15 @@ class PluginReference(NamedTuple):
 
     @property
     def is_unresolved(self) -> bool:
-        """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?"""
-        return self.node is None or self.node.kind != self.kind or _is_lumped(self.node)
+        """Does it reach no joint or link of its kind, or a joint that libsdformat merges away?
+
+        Names of another robot that includes the same file are left out.
+        """
+        if self.node is None:
+            element = self.value.element
+            others = self.model.document.names_of_others(_NAMED_PART, element)
+            return self.value.text.strip() not in others
+        return self.node.kind != self.kind or _is_lumped(self.node)
 
 
 def references(plugin: Plugin, namings: Iterable[Naming]) -> Iterator[PluginReference]:

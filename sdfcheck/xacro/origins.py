@@ -386,7 +386,8 @@ class ExpandedDocument(Document):
                 start = written.find(whole, at) if is_before else written.rfind(whole, 0, at)
                 if start >= 0:
                     begin = start + len(pieces[0])
-                    return self.spans.span(element, begin, begin + len(pieces[1]))
+                    place = self.spans.span(element, begin, begin + len(pieces[1]))
+                    return OriginSpan.with_value(place, pieces[1])
         return None
 
 

@@ -152,6 +152,33 @@ _OF_URDF = {("mesh", "filename"): "uri"}
 """An attribute of URDF: the child that SDFormat has for it, where that has another name."""
 
 
+class _Misplaced:
+    """Siblings that are in the wrong place, and go into one other."""
+
+    def __init__(self, first: problems.MisplacedElement, definition: Definition) -> None:
+        self.first = first
+        self.definition = definition
+        """Of their parent."""
+        self.places = first.places
+        self.others: list[Element] = []
+
+    def takes(self, other: problems.MisplacedElement) -> bool:
+        """Add another one, if it goes where these go; one with a suggestion of its own stays alone."""
+        first = self.first
+        common = tuple(place for place in self.places if place in other.places)
+        is_alike = first.suggestion is other.suggestion is None and first.is_default == other.is_default
+        if not (common and is_alike and first.ignored and other.ignored):
+            return False
+        self.places = common
+        self.others.append(other.element)
+        return True
+
+    @property
+    def problem(self) -> problems.MisplacedElement:
+        places = likely_parents(self.places, self.first.parent, self.definition)
+        return self.first.changed(places=places, others=tuple(self.others))
+
+
 class SdfFindings(Findings):
     """The problems of one SDFormat document, collected during its walk."""
 
@@ -165,13 +192,17 @@ class SdfFindings(Findings):
         self.misspelled: set[tuple[Element, str]] = set()
         """Parts that elements lack only because a child or attribute of theirs is misspelled."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
+        self.misplaced: dict[Element, list[_Misplaced]] = {}
+        """Those of each parent, by where they go."""
         self.missing_children: list[tuple[Element, Definition, str]] = []
         self.uses_too_new: dict[tuple[str, str, Version], list[Element]] = {}
-        defects = (problem for problem in document.problems if isinstance(problem, SyntaxDefect))
+        defects = [problem for problem in document.problems if isinstance(problem, SyntaxDefect)]
         self.unclosed = min(
             (one.span.start for one in defects if one.kind is SyntaxKind.UNCLOSED_ELEMENT), default=math.inf
         )
         """Where the first end tag is missing: elements after it may be where they are only for that."""
+        self.surplus = {one.detail: one.span.start for one in defects if one.kind is SyntaxKind.EXTRA_END_TAG}
+        """Where the last end tag too many of a name is: elements before it may have been meant to be inside."""
 
     def root(self, root: Element, definition: Definition) -> None:
         """The root's attributes; its version decides against what everything else is checked."""
@@ -200,16 +231,26 @@ class SdfFindings(Findings):
         if child.span.start >= self.unclosed:
             return
         suggestion = suggest(name, place.children) or _setting(name, place)
-        if places := history.known_parents(name, self.version):
-            places = likely_parents(places, parent, place)
+        if known := history.known_parents(name, self.version):
+            if self.is_cut_off(child, parent, known):
+                return
             ignored = name not in _FOUND_ANYWHERE
             # Drake refuses SDFormat for it, whatever it says.
             is_default = self.document.kind is not Kind.SDF and self.is_default(child)
-            found = problems.MisplacedElement(child, parent, places, suggestion, ignored, is_default)
-            self.found.append(found)
+            found = problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default)
+            groups = self.misplaced.setdefault(parent, [])
+            if not any(group.takes(found) for group in groups):
+                groups.append(_Misplaced(found, place))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
+
+    def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:
+        """Did the element that it belongs into end too early, with another end tag after it?"""
+        ended = [name for name in places if child.span.start < self.surplus.get(name, 0)]
+        return any(
+            before.name in ended and before.span.start < child.span.start for before in parent.children()
+        )
 
     def is_default(self, element: Element) -> bool:
         """Has an element the value that holds wherever one of its name is not written?"""
@@ -364,6 +405,7 @@ class SdfFindings(Findings):
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name))
+        self.found += [group.problem for groups in self.misplaced.values() for group in groups]
         self.found = folded_values(folded_attributes(folded_texts(self.found)))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None

@@ -197,6 +197,7 @@ class UrdfFindings(Findings):
         super().__init__(document, version)
         self.unknown: dict[tuple[str, str], list[Element]] = {}
         self.unknown_values: dict[tuple[str, str], list[Value]] = {}
+        self.uses_too_new: dict[tuple[str, str, str], list[Element | Value]] = {}
         self.parents: dict[Element, Element] = {}
         """The elements around the unknown ones; xacro's conditions around them do not count."""
         self.places: dict[Element, Definition] = {}
@@ -212,8 +213,7 @@ class UrdfFindings(Findings):
 
     def too_new(self, element: Element, definition: Definition, attribute: str, since: Version) -> None:
         place = Value(element, attribute, element.attributes[attribute]) if attribute else element
-        name = attribute or element.name
-        self.found.append(problems.FeatureAboveVersion(place, name, str(since), str(self.version)))
+        self.uses_too_new.setdefault((element.name, attribute, str(since)), []).append(place)
 
     def unknown_element(self, child: Element, parent: Element, place: Definition) -> None:
         if place.name != "geometry":  # otherwise a shape, in its way
@@ -291,6 +291,8 @@ class UrdfFindings(Findings):
             return
         if self.is_bodiless and element.name == "joint" and name != "name":
             return
+        if element.name == "robot" and not any(element.children()):
+            return  # it lacks all, which is one mistake
         self.stray.add(element)  # its text is where the value was put
         if element.name not in _ASKED_BY_RULES:
             self.found.append(problems.MissingAttribute(element, name, empty=False))
@@ -393,6 +395,9 @@ class UrdfFindings(Findings):
             count = self.strange.pop(element, 0)
             more = count - 1 if count > MOST else 0
             self.found.append(problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more))
+        for (tag, attribute, since), newer in self.uses_too_new.items():
+            what, version = attribute or tag, str(self.version)
+            self.found.append(problems.FeatureAboveVersion(newer[0], what, since, version, len(newer)))
         return folded(self.found)
 
 

@@ -388,7 +388,8 @@ class _Pairing:
             if first.kind is TokenKind.DECLARATION and first.start == 0:
                 other = self.source.span(first.start, first.end)
                 self.defect(SyntaxKind.SECOND_DECLARATION, (token.start, token.end), other)
-            elif not self.problems:
+            elif not self.problems and self.source.text.startswith(self.text[: token.start]):
+                # Otherwise something before it was blanked, such as the mark of a merge conflict.
                 here = self.source.span(token.start, token.end)
                 self.note(LateDeclaration(self.source.span(0, token.start), here))
         return True

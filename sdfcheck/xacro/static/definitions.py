@@ -561,12 +561,17 @@ def visible_definitions(document: Document) -> Definitions:
     return document.view(Definitions)
 
 
+_NO_ROBOT = frozenset(
+    {"xacro:property", "xacro:arg", "xacro:attribute", "gazebo", "ros2_control", "transmission"}
+)
+
+
 def is_robot(document: Document) -> bool:
     """Whether a file is meant to be expanded on its own, rather than to be included.
 
     A robot has a name (a SDFormat document needs none), and elements or macro calls
     outside of macros; or else it only puts together what it includes. Beside macros, materials
-    make no robot.
+    make no robot, nor do blocks about the links of another file.
     """
     root = document.root
     if root is None or root.name not in {"robot", "sdf"}:
@@ -585,7 +590,7 @@ def is_robot(document: Document) -> bool:
             has_includes |= name == "xacro:include"
         elif name == "material":
             has_materials = True
-        elif name not in {"xacro:property", "xacro:arg", "xacro:attribute"}:
+        elif name not in _NO_ROBOT:
             has_content |= not name.startswith(PREFIX) or name in _CONTENT or name.count(":") == 1
     return has_content or ((has_includes or has_materials) and not has_macros)
 

@@ -32,6 +32,8 @@ _ARGUMENT = re.compile(
     r"<xacro:(?:arg|property)\b[^<>]*?\s(?:default|value)\s*=\s*[\"']([^\"'<>]+\.\w+)[\"']"
 )
 """An argument or property may hold the name of a file that is included."""
+_DEFAULT = re.compile(r"\$\(optenv\s+\w+\s+([^()]*?)\s*\)")
+"""The value of a variable that is mostly not set."""
 _MADE_OF = re.compile(rf"{MADE_BY_XACRO}([^|\n]*)")
 """The path in the remark of xacro in a file that it makes."""
 _LED = re.compile(rf"<(?:link|joint)\s[^<>]*?\bname\s*=\s*[\"']{LEADING}(?P<rest>[^\"'<>]+)[\"']")
@@ -88,7 +90,8 @@ class _Project:
         self.is_whole = len(self.paths) < FILE_LIMIT
         for path in self.paths:
             text = text_of(path)
-            for name in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
+            for written in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
+                name = _DEFAULT.sub(r"\1", written)
                 last = _pattern(name).rpartition("/")[2]
                 if _GLOB.search(last):
                     if _says_something(name):
@@ -172,9 +175,10 @@ def links_of_namesakes(document: Document) -> frozenset[str]:
 
 
 def names_beside(document: Document, path: Path, pattern: str) -> frozenset[str]:
-    """The names, by the group of a pattern, in the project's xacro files, if several of them include this one."""
+    """The names, by the group of a pattern, in the project's xacro files, if a file of it is in several robots."""
     library = library_of(document)
-    if library is None or len({each.by for each in _inclusions(document, path)}) < 2:
+    robots = len({each.by for each in _inclusions(document, path)}) + (path == document.path)
+    if library is None or robots < 2:
         return frozenset()
     return _project(library, document).written(pattern)
 

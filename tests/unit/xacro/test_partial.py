@@ -52,6 +52,13 @@ def test_names_that_a_package_may_define_are_not_missing(tmp_path: Path, content
     assert found(tmp_path, MISSING + content) == [("XAC007", "nowhere_near")]
 
 
+def test_a_text_that_has_no_value_is_reported_once(tmp_path: Path) -> None:
+    text = "${1 / 0}"
+    assert [code for code, place in found(tmp_path, f'<link name="base"/>{text}') if place == text] == [
+        "XAC001"
+    ]
+
+
 def test_a_package_that_only_an_included_file_needs(tmp_path: Path) -> None:
     (tmp_path / "part.xacro").write_text(f"<robot {XACRO}>{MISSING}</robot>")
     content = '<xacro:include filename="part.xacro"/><link name="a"><visual><geometry>'

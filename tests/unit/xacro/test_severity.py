@@ -186,6 +186,20 @@ def test_links_that_nothing_ties_are_parts_where_they_are_included(folder: Path)
     assert ("URD004", "error") not in found(folder, hands, "hands.urdf")
 
 
+def test_blocks_about_links_are_a_part(folder: Path) -> None:
+    block = '<gazebo><plugin name="p" filename="libp.so"><ns>${nowhere}</ns></plugin></gazebo>'
+    assert ("XAC004", "error") not in found(folder, block)
+    assert ("XAC004", "error") in found(folder, f'<link name="a"/>{block}')
+
+
+def test_the_default_of_a_variable_is_a_part(folder: Path) -> None:
+    (folder / "empty.urdf").write_text("<robot/>")
+    assert found(folder, name="empty.urdf") == [("SCH004", "warning")]
+    extras = '<xacro:include filename="$(optenv EXTRAS empty.urdf)"/>'
+    (folder / "whole.xacro").write_text(ROBOT.format(f'<link name="torso"/>{extras}'))
+    assert found(folder, name="empty.urdf") == []
+
+
 def test_a_part_is_judged_where_it_is_included(folder: Path) -> None:
     joint = '<joint name="j" type="{}"><parent link="torso"/><child link="b"/></joint>'
     content = f'<link name="b"/>{joint}'
@@ -226,6 +240,16 @@ def test_a_block_in_a_file_of_several_robots_is_for_one_of_them(folder: Path) ->
     assert ("GAZ003", "error") not in found(folder, name="cart.xacro")
     own = '<link name="base"/><gazebo reference="arm"/>'
     assert ("GAZ003", "error") in found(folder, own, "cart.xacro")
+
+
+def test_a_robot_names_parts_of_one_that_includes_it(folder: Path) -> None:
+    plugin = '<plugin name="g" filename="libgrip.so"><link_name>{}</link_name></plugin>'
+    arm = f'<link name="arm"/><gazebo>{plugin}</gazebo>'
+    assert found(folder, arm.format("hand"), "arm.xacro") == [("RES014", "error")]
+    hand = '<link name="hand"/><joint name="j" type="fixed"><parent link="arm"/><child link="hand"/></joint>'
+    (folder / "whole.xacro").write_text(ROBOT.format(f'<xacro:include filename="arm.xacro"/>{hand}'))
+    assert found(folder, name="arm.xacro") == []
+    assert found(folder, arm.format("hound"), "arm.xacro") == [("RES014", "error")]
 
 
 @pytest.mark.parametrize("where", ['<xacro:include filename="{}"/>', '<xacro:arg name="f" default="{}"/>'])
