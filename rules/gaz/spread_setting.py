@@ -101,7 +101,7 @@ def spread(robot: Model) -> Iterator[tuple[Value, Link, Link, Value | None]]:
 
 
 def answers(block: GazeboBlock) -> Iterator[tuple[str, tuple[bool, Value]]]:
-    """What a block says about its link as a whole."""
+    """The settings of a block that are about its link as a whole."""
     for name, (what, false) in MEANINGS.items():
         for value in block.settings(name):
             yield what, (value.text.strip().lower() not in false, value)

@@ -2,6 +2,8 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Joint, Rule, Severity
 
+ENDLESS = 100.0
+"""rad"""
 VISUAL = '<visual><geometry><sphere radius="0.1"/></geometry></visual>'
 LIMIT = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
 WRIST = (
@@ -14,7 +16,7 @@ class UnlikeCounterpart(Rule):
     """A joint moves in another way than the one of the same name on the other side.
 
     One of them turns between limits, and the other without end, or slides. Robots are built alike on both sides, so the
-    type of one is a slip of the pen or of an exporter; `fixed-counterpart` is about joints that are fixed.
+    type of one is a mistake of a person or an exporter; `fixed-counterpart` is about joints that are fixed.
     """
 
     code = "JNT032"
@@ -40,14 +42,18 @@ class UnlikeCounterpart(Rule):
     good = (
         Good(WRIST.format("left", "revolute") + WRIST.format("right", "revolute")),
         Good(WRIST.format("left", "revolute") + WRIST.format("right", "fixed"), why="JNT028 says so"),
+        Good(
+            WRIST.format("left", "revolute").replace("1", "1e16") + WRIST.format("right", "continuous"),
+            why="neither has limits in effect",
+        ),
     )
 
     @staticmethod
     def applies(joint: Joint) -> bool:
         mirror = joint.mirror
-        if mirror is None or mirror.type == joint.type or not joint.moves or not mirror.moves:
+        if mirror is None or not joint.moves or not mirror.moves or kind_of(mirror) == kind_of(joint):
             return False
-        one, other = ((each.type == "continuous", each.name) for each in (joint, mirror))
+        one, other = ((kind_of(each) == "continuous", each.name) for each in (joint, mirror))
         return one > other and all(
             each.child_link is not None and each.child_link.shapes for each in (joint, mirror)
         )
@@ -57,3 +63,9 @@ class UnlikeCounterpart(Rule):
         assert mirror is not None
         message = f"{joint.title} is {joint.type}, and its counterpart `{mirror.name}` is {mirror.type}"
         yield self.diagnostic(joint.type_value or joint, message, labels={mirror: "its counterpart"})
+
+
+def kind_of(joint: Joint) -> str:
+    """Its type; one that may turn many times over is as good as continuous."""
+    low, high = joint.axis.limit.range
+    return "continuous" if joint.type == "revolute" and high - low > ENDLESS else joint.type

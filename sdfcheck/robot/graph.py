@@ -1645,13 +1645,34 @@ class Sensor(Part):
     @property
     def view(self) -> Triple | None:
         """The direction in which it looks, in its robot of URDF at rest; None where that is not known."""
-        pose, frame = self.find("pose"), self.link.at_rest if self.link is not None else None
-        if frame is None or reference_of(pose):
-            return None
-        try:
-            return frame.followed_by(pose_in(pose)).turned((1.0, 0.0, 0.0))
-        except DescriptionError:
-            return None
+        frame = self.link.at_rest if self.link is not None else None
+        place = self._place
+        return None if frame is None or place is None else frame.followed_by(place).turned((1.0, 0.0, 0.0))
+
+    @property
+    def covers(self) -> Iterator[tuple[Shape, float]]:
+        """The collisions of its link, and of links fixed to that, around its origin, and how deep it is in each (m)."""
+        link, place = self.link, self._place
+        if link is None or place is None:
+            return
+        here = link.at_rest.followed_by(place) if link.is_urdf and link.at_rest is not None else place
+        for each in link.rigid_group if link.is_urdf else (link,):
+            frame = each.at_rest if each.is_urdf else Origin()
+            if frame is None:
+                continue
+            for shape in each.collisions:
+                with suppress(DescriptionError):
+                    inner = frame.followed_by(_placement_in(shape, each)).seen(here.position)
+                    if (depth := shape.geometry.depth_of(inner)) > 0:
+                        yield shape, depth
+
+    @property
+    def _place(self) -> Origin | None:
+        """Its pose in the frame of its link; None where it is relative to something else, or no pose."""
+        pose = self.find("pose")
+        with suppress(DescriptionError):
+            return None if reference_of(pose) else pose_in(pose)
+        return None
 
 
 # Names of joints and links that the parameters of plugins write.
@@ -2124,6 +2145,7 @@ class Stance(NamedTuple):
 
 _NEAR_FLOOR = 0.5
 """Of the radius of a wheel."""
+_ROUND = 0.1
 _MOST_POINTS = 60
 _TOUCHES = 1e-4
 """m"""
@@ -2137,10 +2159,13 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
         body = model.mass_properties
     except DescriptionError:
         return None
-    on_wheels = [point[2] for point, shape in solid if shape.link in wheels]
-    if body is None or not on_wheels or model.models or not drive.left.radius > 0:
+    lowest = {
+        link: min((point[2] for point, shape in solid if shape.link is link), default=math.inf)
+        for link in wheels
+    }
+    if body is None or model.models or not all(_is_upright(wheel, lowest) for wheel in drive.wheels):
         return None
-    level = min(on_wheels)
+    level = min(lowest.values())
     reach = level + _NEAR_FLOOR * drive.left.radius
     found: dict[tuple[Link, bool], Footing] = {}
     for points, is_solid in ((solid, True), (seen, False)):
@@ -2157,6 +2182,12 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
     touching = frozenset(link for distance, link in above if distance < _TOUCHES)
     lift = min(distance for distance, link in above if link in wheels)
     return Stance(math.atan(math.hypot(along, beside)), lift, touching, tuple(found.values()))
+
+
+def _is_upright(wheel: Wheel, lowest: Mapping[Link | None, float]) -> bool:
+    """Is the lowest point of a wheel as far below its axle as its radius says?"""
+    below = wheel.position[2] - lowest[wheel.joint.child_link]
+    return abs(below - wheel.radius) < _ROUND * wheel.radius
 
 
 def _footings(model: Model, kind: str) -> list[tuple[Triple, Shape]]:
