@@ -9,7 +9,7 @@ class UnusedMacro(Rule):
 
     Its content is not in the robot. Macros of libraries are for the files that include them and
     are not reported. Where a launch file expands a file of macros alone, that nothing includes, the robot is
-    empty, and robot_state_publisher ends with `No link elements found in urdf file`: that is an error.
+    empty, and robot_state_publisher ends with `No link elements found in urdf file`: that is a warning.
     """
 
     code = "XAC022"
@@ -50,4 +50,4 @@ class UnusedMacro(Rule):
             yield self.diagnostic(problem.span, message)
             return
         message += ", and nothing else is in the robot that a launch file expands"
-        yield self.diagnostic(problem.span, message, severity=Severity.ERROR)
+        yield self.diagnostic(problem.span, message, severity=Severity.WARNING)

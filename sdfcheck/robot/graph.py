@@ -1645,34 +1645,13 @@ class Sensor(Part):
     @property
     def view(self) -> Triple | None:
         """The direction in which it looks, in its robot of URDF at rest; None where that is not known."""
-        frame = self.link.at_rest if self.link is not None else None
-        place = self._place
-        return None if frame is None or place is None else frame.followed_by(place).turned((1.0, 0.0, 0.0))
-
-    @property
-    def covers(self) -> Iterator[tuple[Shape, float]]:
-        """The collisions of its link, and of links fixed to that, around its origin, and how deep it is in each (m)."""
-        link, place = self.link, self._place
-        if link is None or place is None:
-            return
-        here = link.at_rest.followed_by(place) if link.is_urdf and link.at_rest is not None else place
-        for each in link.rigid_group if link.is_urdf else (link,):
-            frame = each.at_rest if each.is_urdf else Origin()
-            if frame is None:
-                continue
-            for shape in each.collisions:
-                with suppress(DescriptionError):
-                    inner = frame.followed_by(_placement_in(shape, each)).seen(here.position)
-                    if (depth := shape.geometry.depth_of(inner)) > 0:
-                        yield shape, depth
-
-    @property
-    def _place(self) -> Origin | None:
-        """Its pose in the frame of its link; None where it is relative to something else, or no pose."""
-        pose = self.find("pose")
-        with suppress(DescriptionError):
-            return None if reference_of(pose) else pose_in(pose)
-        return None
+        pose, frame = self.find("pose"), self.link.at_rest if self.link is not None else None
+        if frame is None or reference_of(pose):
+            return None
+        try:
+            return frame.followed_by(pose_in(pose)).turned((1.0, 0.0, 0.0))
+        except DescriptionError:
+            return None
 
 
 # Names of joints and links that the parameters of plugins write.

@@ -268,19 +268,6 @@ class Geometry(Part):
         }.get(self.shape)
         return None if found is None else Box(tuple(-length for length in found), found)
 
-    def depth_of(self, point: Triple) -> float:
-        """How deep a point along its own axes is in a box, sphere or cylinder (m); else not more than 0."""
-        x, y, z = map(abs, point)
-        if self.solid is None:
-            return 0.0
-        if self.shape == "box":
-            return min(size / 2 - away for size, away in zip(self.size, (x, y, z), strict=True))
-        if self.shape == "sphere":
-            return float(self.radius) - math.hypot(x, y, z)
-        if self.shape == "cylinder":
-            return min(float(self.radius) - math.hypot(x, y), float(self.length) / 2 - z)
-        return 0.0
-
     def footing(self, down: Triple) -> tuple[Triple, ...]:
         """The points on which a plain shape may rest, along its own axes; ``down`` has the length 1. None of others."""
         if self.solid is None:

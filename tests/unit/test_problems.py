@@ -896,17 +896,6 @@ PROBLEMS = {
         "0.2",
         "1",
     ),
-    "a range sensor is in the body of its robot": Problem(
-        "GAZ027",
-        model(
-            f'<link name="l">{SDF_BODY}\n<sensor name="s" type="ray"><ray><scan><horizontal><samples>1</samples>'
-            "<min_angle>0</min_angle><max_angle>0</max_angle></horizontal></scan>\n"
-            "<range><min>@@</min><max>9</max></range></ray></sensor></link>"
-        ),
-        "0.01",
-        "0.2",
-        suffix=".sdf",
-    ),
     "the picture of a heightmap has any size": Problem(
         "GEO022",
         model(

@@ -591,7 +591,9 @@ def _named(element: Element) -> Span:
 def _empty_robot(document: Document, read: Reading) -> Iterator[Oversight]:
     """The macro to be called in a file of macros alone that a launch file expands, and that no other file includes."""
     root = document.root
-    if root is None or root.name != "robot" or is_robot(document) or root.has("xacro:include"):
+    if root is None or root.name != "robot" or "name" not in root.attributes:
+        return  # a part without a name has the file name of one that is expanded
+    if is_robot(document) or root.has("xacro:include"):
         return
     called = {call.name for call in read.calls}
     uncalled = [macro for macro in read.macros if macro.name and macro.name not in called]
