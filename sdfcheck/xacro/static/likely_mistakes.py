@@ -66,7 +66,7 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.launches import is_launched
-from sdfcheck.xacro.static.project import includers, is_included, name_endings, passed
+from sdfcheck.xacro.static.project import has_namesake, includers, is_included, name_endings, passed
 
 # Elements of xacro and calls of macros that lack the prefix ``xacro:``.
 
@@ -591,10 +591,10 @@ def _named(element: Element) -> Span:
 def _empty_robot(document: Document, read: Reading) -> Iterator[Oversight]:
     """The macro to be called in a file of macros alone that a launch file expands, and that no other file includes."""
     root = document.root
-    if root is None or root.name != "robot" or "name" not in root.attributes:
-        return  # a part without a name has the file name of one that is expanded
-    if is_robot(document) or root.has("xacro:include"):
+    if root is None or root.name != "robot" or is_robot(document) or root.has("xacro:include"):
         return
+    if "name" not in root.attributes or has_namesake(document):
+        return  # launch files are known to name the file, but not its folder
     called = {call.name for call in read.calls}
     uncalled = [macro for macro in read.macros if macro.name and macro.name not in called]
     if uncalled and is_launched(document) and not is_included(document):
