@@ -32,6 +32,7 @@ class UnevenFriction(Rule):
     good = (
         Good(MU.format("left", 1, 0.5) + MU.format("right", "1.0", 0.5)),
         Good(MU.format("left", 1, 1), why="the other has the default, which is 1"),
+        Good(MU.format("left", 1, 0) + MU.format("right", 0, 1), why="rollers"),
     )
 
     @staticmethod
@@ -58,6 +59,6 @@ def uneven(plugin: Plugin) -> Iterator[tuple[Link, Value, Link, Value]]:
             continue
         pairs = zip(coefficients(first), coefficients(second), strict=False)
         for its, value in pairs:
-            if its.number != value.number:
+            if its.number != value.number and its.number and value.number:  # Without any it is a roller.
                 yield second, value, first, its
                 break
