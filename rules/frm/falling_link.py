@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
 
 BALL = '<collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>'
 BODY = f'<link name="body">{BALL}</link>'
@@ -47,18 +47,7 @@ class FallingLink(Rule):
         if any(True for each in link.children() if each.name != "pose") or link.may_be_static:
             return False
         model = link.model
-        return any(other.collisions for other in model.links) and not is_tied(link)
+        return model.has_collisions and model.is_complete and link.name not in link.root.tied_names
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         yield self.diagnostic(link, f"nothing holds {link.title}, which has no shape: it falls without end")
-
-
-def is_tied(link: Link) -> bool:
-    """Does a joint of its file name it, in its model or around it, or may one in a file that could not be read?"""
-    if not link.model.is_complete:
-        return True
-    return any(
-        name.rpartition("::")[2] == link.name
-        for joint in link.root.each(Joint)
-        for name in (joint.parent_name, joint.child_name)
-    )

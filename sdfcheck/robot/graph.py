@@ -2840,6 +2840,11 @@ class Scope(Namespace):
         return cast("tuple[Link, ...]", self._members("link"))
 
     @lazy
+    def has_collisions(self) -> bool:
+        """Does one of the links directly in it have a collision?"""
+        return any(link.collisions for link in self.links)
+
+    @lazy
     def joints(self) -> tuple[Joint, ...]:
         """The joints directly in it, in the order of the file."""
         return cast("tuple[Joint, ...]", self._members("joint"))
