@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Link, Root, Rule, Severity
 
 BALL = '<collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>'
 BODY = f'<link name="body">{BALL}</link>'
@@ -47,7 +47,9 @@ class FallingLink(Rule):
         if any(True for each in link.children() if each.name != "pose") or link.may_be_static:
             return False
         model = link.model
-        return model.has_collisions and model.is_complete and link.name not in link.root.tied_names
+        root = link.root
+        is_tied = not isinstance(root, Root) or link.name in root.tied_names
+        return model.has_collisions and model.is_complete and not is_tied
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         yield self.diagnostic(link, f"nothing holds {link.title}, which has no shape: it falls without end")
