@@ -38,6 +38,7 @@ class MissingInertial(Rule):
             '<«link» name="cup"><collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry>'
             "</collision></link>",
             says="`cup`",
+            also=("FRM012",),
         ),
     )
     good = (

@@ -42,6 +42,7 @@ class TopologyChanged(Rule):
             '<link name="l"><collision name="c"><geometry><p:a xmlns:p="https://example.org/p">'
             "<«sphere»><radius>2</radius></sphere></p:a></geometry></collision></link>",
             says="`sphere` is inside",
+            also=("FRM012",),
         ),
         Bad(
             '<robot name="r" xmlns:p="https://example.org/p"><link name="a"/>'

@@ -8,7 +8,8 @@ class UnusedMacro(Rule):
     """A robot defines a macro and nothing calls it.
 
     Its content is not in the robot. Macros of libraries are for the files that include them and
-    are not reported.
+    are not reported. Where a launch file expands a file of macros alone, that nothing includes, the robot is
+    empty, and robot_state_publisher ends with `No link elements found in urdf file`: that is a warning.
     """
 
     code = "XAC022"
@@ -18,7 +19,7 @@ class UnusedMacro(Rule):
 
     A macro for other files belongs in a file of its own, without the `<robot>` that is built.
     """
-    explains = (problems.UnusedMacro,)
+    explains = (problems.UnusedMacro, problems.EmptyRobot)
     scaffold = IN_XACRO
 
     bad = (
@@ -26,6 +27,13 @@ class UnusedMacro(Rule):
             '<xacro:macro name="«leg»" params=""><link name="a"/></xacro:macro>',
             file=FILE,
             says="macro `leg` is never called",
+        ),
+        Bad(
+            '<xacro:macro name="«leg»" params=""><link name="a"/></xacro:macro>',
+            scaffold='<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>',
+            file="robot.urdf.xacro",
+            files={"robot.launch": '<launch><param name="d" command="xacro robot.urdf.xacro"/></launch>'},
+            says="macro `leg` is never called, and nothing else is in the robot that a launch file expands",
         ),
     )
     good = (
@@ -36,5 +44,10 @@ class UnusedMacro(Rule):
         ),
     )
 
-    def check(self, problem: problems.UnusedMacro) -> Iterator[Diagnostic]:
-        yield self.diagnostic(problem.span, f"macro `{problem.name}` is never called")
+    def check(self, problem: problems.UnusedMacro | problems.EmptyRobot) -> Iterator[Diagnostic]:
+        message = f"macro `{problem.name}` is never called"
+        if isinstance(problem, problems.UnusedMacro):
+            yield self.diagnostic(problem.span, message)
+            return
+        message += ", and nothing else is in the robot that a launch file expands"
+        yield self.diagnostic(problem.span, message, severity=Severity.WARNING)

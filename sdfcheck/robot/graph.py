@@ -11,7 +11,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from itertools import permutations, product, takewhile
+from itertools import combinations, permutations, product, takewhile
 from typing import TYPE_CHECKING, Protocol, TypeVar, cast
 
 from sdfcheck.files.library import digest_of, library_of
@@ -1642,6 +1642,17 @@ class Sensor(Part):
         """Its pose in the frame of its link or joint, or relative to what a reference names; raises PoseError."""
         return self.root.poses.of_part_in(self.element if self.is_given else None, self.owner, relative_to)
 
+    @property
+    def view(self) -> Triple | None:
+        """The direction in which it looks, in its robot of URDF at rest; None where that is not known."""
+        pose, frame = self.find("pose"), self.link.at_rest if self.link is not None else None
+        if frame is None or reference_of(pose):
+            return None
+        try:
+            return frame.followed_by(pose_in(pose)).turned((1.0, 0.0, 0.0))
+        except DescriptionError:
+            return None
+
 
 # Names of joints and links that the parameters of plugins write.
 #
@@ -2084,10 +2095,129 @@ class Drive(NamedTuple):
         return next(found, None)
 
     @property
+    def stance(self) -> Stance | None:
+        """How its robot stands on a floor; None where that is not known."""
+        model = self.left.joint.model
+        return _stance(model, self) if model is not None else None
+
+    @property
     def written_radius(self) -> float:
         """The radius that the plugin takes (m); nan if none is written."""
         number = self.radius.own_value.number if self.radius is not None else math.nan
         return number / 2 if self.radius is not None and self.radius.name in _DIAMETER else number
+
+
+# How a robot on wheels stands on a floor: on three points, around its center of mass, below which no other is.
+
+
+class Footing(NamedTuple):
+    """The lowest point of a part, how far it is above the wheels (m), and whether it is in a collision."""
+
+    link: Link
+    shape: Shape
+    height: float
+    is_solid: bool
+
+
+class Stance(NamedTuple):
+    """How a robot stands: its tilt (rad), how far its drive is above the floor (m), and what is near the floor."""
+
+    tilt: float
+    lift: float
+    touching: frozenset[Link]
+    footings: tuple[Footing, ...]
+    """Of the links that no drive turns and that come as near to the floor as half the radius of a wheel."""
+
+
+_NEAR_FLOOR = 0.5
+"""Of the radius of a wheel."""
+_ROUND = 0.1
+_MOST_POINTS = 60
+_TOUCHES = 1e-4
+"""m"""
+
+
+def _stance(model: Model, drive: Drive) -> Stance | None:
+    wheels = {wheel.joint.child_link for wheel in drive.wheels}
+    carriers = {joint.child_link: joint for joint in model.joints}
+    try:
+        solid, seen = (_footings(model, kind) for kind in ("collision", "visual"))
+        body = model.mass_properties
+    except DescriptionError:
+        return None
+    lowest = {
+        link: min((point[2] for point, shape in solid if shape.link is link), default=math.inf)
+        for link in wheels
+    }
+    if body is None or model.models or not all(_is_upright(wheel, lowest) for wheel in drive.wheels):
+        return None
+    level = min(lowest.values())
+    reach = level + _NEAR_FLOOR * drive.left.radius
+    found: dict[tuple[Link, bool], Footing] = {}
+    for points, is_solid in ((solid, True), (seen, False)):
+        for point, shape in points:
+            best = found.get((shape.link, is_solid))
+            if shape.link not in wheels and point[2] < min(reach, best.height + level if best else math.inf):
+                found[shape.link, is_solid] = Footing(shape.link, shape, point[2] - level, is_solid)
+    low = {shape.link for point, shape in solid if point[2] < reach}
+    plane = _floor([point for point, _ in solid], (float(body.center[0]), float(body.center[1])))
+    if plane is None or not all(_is_stiff(link, carriers) for link in low):
+        return None
+    along, beside, height = plane
+    above = [(z - along * x - beside * y - height, shape.link) for (x, y, z), shape in solid]
+    touching = frozenset(link for distance, link in above if distance < _TOUCHES)
+    lift = min(distance for distance, link in above if link in wheels)
+    return Stance(math.atan(math.hypot(along, beside)), lift, touching, tuple(found.values()))
+
+
+def _is_upright(wheel: Wheel, lowest: Mapping[Link | None, float]) -> bool:
+    """Is the lowest point of a wheel as far below its axle as its radius says?"""
+    below = wheel.position[2] - lowest[wheel.joint.child_link]
+    return abs(below - wheel.radius) < _ROUND * wheel.radius
+
+
+def _footings(model: Model, kind: str) -> list[tuple[Triple, Shape]]:
+    """The points on which the shapes of a model may rest, in its frame; raises DescriptionError if some are unknown."""
+    found: list[tuple[Triple, Shape]] = []
+    for link in model.links:
+        frame = link.at_rest if link.is_urdf else _at_rest_in_sdf(link)
+        for shape in link.collisions if kind == "collision" else link.visuals:
+            pose = None if frame is None else frame.followed_by(_placement_in(shape, link))
+            points = () if pose is None else shape.geometry.footing(pose.seen_along((0.0, 0.0, -1.0)))
+            if pose is not None and points:
+                found += ((pose.applied_to(point), shape) for point in points)
+            elif kind == "collision":
+                raise DescriptionError(f"where the collision of {link.name} ends is not known", shape.element)
+    return found
+
+
+def _is_stiff(link: Link, carriers: Mapping[Link | None, Joint]) -> bool:
+    """Is what carries a link stiff, but for its own axle and casters that turn about the vertical?"""
+    at: Link | None = link
+    moving: list[Joint] = []
+    while at in carriers and len(moving) < _DEEPEST:
+        joint = carriers[at]
+        moving += [joint] * (joint.type != "fixed")
+        at = joint.parent_link
+    upright = (abs(joint.direction[2]) if joint.direction is not None else 0.0 for joint in moving[1:])
+    return all(joint.type != "prismatic" for joint in moving) and all(part > 0.99 for part in upright)
+
+
+def _floor(points: list[Triple], center: tuple[float, float]) -> tuple[float, float, float] | None:
+    """The plane (slope along x and y, height) through three points, above none, that is highest at a place."""
+    best, highest = None, -math.inf
+    lowest = sorted(points, key=lambda point: point[2])[:_MOST_POINTS]
+    for (x, y, z), (x1, y1, z1), (x2, y2, z2) in combinations(lowest, 3):
+        (ax, ay, az), (bx, by, bz) = (x1 - x, y1 - y, z1 - z), (x2 - x, y2 - y, z2 - z)
+        area = ax * by - ay * bx
+        if abs(area) < _TOUCHES**2:
+            continue
+        along, beside = (az * by - ay * bz) / area, (ax * bz - az * bx) / area
+        height = z - along * x - beside * y
+        there = along * center[0] + beside * center[1] + height
+        if there > highest and all(along * px + beside * py + height <= pz + 1e-6 for px, py, pz in points):
+            best, highest = (along, beside, height), there
+    return best
 
 
 def drive_of(plugin: Plugin) -> Drive | None:
@@ -2715,6 +2845,11 @@ class Scope(Namespace):
     def links(self) -> tuple[Link, ...]:
         """The links directly in it, in the order of the file."""
         return cast("tuple[Link, ...]", self._members("link"))
+
+    @lazy
+    def has_collisions(self) -> bool:
+        """Does one of the links directly in it have a collision?"""
+        return any(link.collisions for link in self.links)
 
     @lazy
     def joints(self) -> tuple[Joint, ...]:

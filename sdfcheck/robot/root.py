@@ -277,6 +277,15 @@ class Root(Whole):
         return self._survey.version
 
     @lazy
+    def tied_names(self) -> frozenset[str]:
+        """The names of the links that a joint of the document ties, without those of their models."""
+        return frozenset(
+            name.rpartition("::")[2]
+            for joint in self.each(Joint)
+            for name in (joint.parent_name, joint.child_name)
+        )
+
+    @lazy
     def includes(self) -> tuple[Include, ...]:
         """The includes that libsdformat follows, misplaced ones as well."""
         if self.is_urdf or "<include" not in self.document.source.text:

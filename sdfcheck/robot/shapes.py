@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
+import struct
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
 from sdfcheck.bodies.box import Box
+from sdfcheck.files.regular import SIZE_LIMIT
 from sdfcheck.formats.urdf.findings import COLORS_OF_SDFORMAT
 from sdfcheck.robot import solids
 from sdfcheck.robot.part import Part
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
     from sdfcheck.bodies.mesh import Mesh, Open
     from sdfcheck.bodies.solid import Skin
     from sdfcheck.files.library import Shelves
+    from sdfcheck.robot.motion.origin import Triple
     from sdfcheck.robot.motion.poses import Array
     from sdfcheck.robot.solids import Solid
     from sdfcheck.source.document import Element, Value
@@ -104,6 +108,10 @@ _DEFAULT_SIZES: dict[str, dict[str, tuple[float, ...]]] = {
     "sphere": {"radius": (1.0,)},
 }
 """Shape → its measures, and what simulators take where one is left out (libsdformat 17)."""
+
+
+_UPRIGHT, _PARTS = 1e-3, 8
+"""The sine of the tilt from which on a cylinder rests on its edges, and points of the rim of one that does not."""
 
 
 class Geometry(Part):
@@ -205,9 +213,16 @@ class Geometry(Part):
 
         return of_shape(self.shape, self.measures)
 
-    def _measured_by(self, measure: Callable[[Path, Open, Shelves], Measured | None]) -> Measured | None:
-        """A measurement of its mesh file; None where it is not there."""
-        if self.shape != "mesh" or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
+    @lazy
+    def pixels(self) -> tuple[int, int] | None:
+        """Width and height of the picture of a heightmap, if it is a PNG or PGM file on this computer."""
+        return self._measured_by(_pixels_at, of="heightmap")
+
+    def _measured_by(
+        self, measure: Callable[[Path, Open, Shelves], Measured | None], of: str = "mesh"
+    ) -> Measured | None:
+        """A measurement of the file of its shape; None where it is not there."""
+        if self.shape != of or not self.uri or (not self.is_urdf and self._shape_place.has("submesh")):
             return None
         from sdfcheck.files.library import library_of
         from sdfcheck.files.uris import locate
@@ -253,6 +268,28 @@ class Geometry(Part):
             return radius, radius, radius
         ends = radius if self.shape == "capsule" else 0.0
         return radius, radius, float(self.length) / 2 + ends
+
+    def footing(self, down: Triple) -> tuple[Triple, ...]:
+        """The points on which a plain shape may rest, along its own axes; ``down`` has the length 1. None of others."""
+        if self.solid is None:
+            return ()
+        x, y, z = down
+        if self.shape == "box" and self.box is not None:
+            return tuple((along, beside, above) for along, beside, above in self.box.corners())
+        radius, half = float(self.radius), float(self.length) / 2
+        ends = (half, -half)
+        if self.shape == "sphere":
+            return ((radius * x, radius * y, radius * z),)
+        if self.shape == "capsule":
+            return tuple((radius * x, radius * y, end + radius * z) for end in ends)
+        if self.shape != "cylinder":
+            return ()
+        across = math.hypot(x, y)
+        if across > _UPRIGHT:
+            return tuple((radius * x / across, radius * y / across, end) for end in ends)
+        turns = (math.tau * part / _PARTS for part in range(_PARTS))
+        around = [(radius * math.cos(turn), radius * math.sin(turn)) for turn in turns]
+        return tuple((along, beside, end) for end in ends for along, beside in around)
 
     @property
     def measures(self) -> tuple[float, ...]:
@@ -314,6 +351,8 @@ class Geometry(Part):
         return child.own_value if child is not None else None
 
 
+_PIXELS = slice(16, 24)
+"""Where a PNG file says its width and height: at the beginning of its first part."""
 _PICTURES = "../materials/textures"
 """Where Gazebo looks for the pictures of a mesh, from its folder, if they are not there."""
 
@@ -325,6 +364,20 @@ def _is_beside(path: Path, name: str) -> bool:
         return any(os.path.isfile(path.parent / folder / each) for folder in ("", _PICTURES))
 
     return is_there(name) or all(map(is_there, name.split()))
+
+
+def _pixels_at(path: Path, open: Open, _: Shelves) -> tuple[int, int] | None:
+    """The size that the head of a PNG file says, or that of a PGM file; None for other pictures."""
+    try:
+        with open(path, SIZE_LIMIT) as file:
+            head = file.read(_PIXELS.stop)
+    except OSError:
+        return None
+    if head.startswith(b"\x89PNG\r\n\x1a\n") and len(head) == _PIXELS.stop:
+        width, height = struct.unpack(">II", head[_PIXELS])
+        return width, height
+    words = head.split()[:3] if head.startswith((b"P2", b"P5")) else []
+    return (int(words[1]), int(words[2])) if len(words) == 3 and all(map(bytes.isdigit, words[1:])) else None
 
 
 def _count(numbers: Vector, count: int) -> Vector:

@@ -64,6 +64,10 @@ class UnusedMacro(Oversight):
     """A macro of a robot that nothing calls."""
 
 
+class EmptyRobot(Oversight):
+    """A robot that a launch file expands, of macros alone; nothing calls this one."""
+
+
 class UnknownPropertyScope(Oversight):
     """xacro does not know the scope of a property."""
 

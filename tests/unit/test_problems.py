@@ -158,6 +158,11 @@ def cube() -> bytes:
     )
 
 
+def picture(side: int) -> bytes:
+    """The head of a PNG file with so many pixels on each side."""
+    return b"\x89PNG\r\n\x1a\n" + struct.pack(">I4sII5B", 13, b"IHDR", side, side, 8, 0, 0, 0, 0)
+
+
 class Problem(NamedTuple):
     """A text in which ``@@`` is wrong, then right."""
 
@@ -856,6 +861,236 @@ PROBLEMS = {
     "a macro is not defined": in_xacro(f'{PART}\n<xacro:@@ p="x"/>', "base", "part", "XAC003"),
     "an include lacks its prefix": in_xacro(
         '<@@ filename="part.xacro"/>\n<link name="x"/>', "include", "xacro:include", "XAC012"
+    ),
+    # Bodies of robots and worlds, once more
+    "the points of a depth camera are in the frame of its body": Problem(
+        "GAZ024",
+        robot(
+            CART,
+            '<link name="lens"/>\n<joint name="l" type="fixed"><parent link="body"/><child link="lens"/>'
+            '<origin rpy="-1.5708 0 -1.5708"/></joint>\n<gazebo reference="body">\n<sensor name="s" type="depth">'
+            '<camera/>\n<plugin filename="libgazebo_ros_camera.so" name="p">\n<frame_name>@@</frame_name></plugin>'
+            "</sensor>\n</gazebo>",
+        ),
+        "body",
+        "lens",
+    ),
+    "a sensor takes the weight from its robot": Problem(
+        "GAZ025",
+        robot(
+            CART,
+            f'<link name="scan">{MASS.replace("1", "0.1", 1).replace("0.01", "0.0001")}</link>\n<joint name="s"'
+            ' type="fixed"><parent link="body"/><child link="scan"/></joint>\n<gazebo reference="scan">@@</gazebo>',
+        ),
+        "<turnGravityOff>true</turnGravityOff>",
+        "",
+    ),
+    "the wheels of one side have less friction": Problem(
+        "GAZ026",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo reference="left"><mu1>1</mu1><mu2>1</mu2></gazebo>\n'
+            '<gazebo reference="right"><mu1>@@</mu1><mu2>1</mu2></gazebo>',
+        ),
+        "0.2",
+        "1",
+    ),
+    "the picture of a heightmap has any size": Problem(
+        "GEO022",
+        model(
+            '<static>true</static>\n<link name="l"><collision name="c"><geometry><heightmap>\n<uri>@@</uri>'
+            "<size>10 10 1</size></heightmap></geometry></collision></link>"
+        ),
+        "500.png",
+        "513.png",
+        suffix=".sdf",
+        files={f"{side}.png": picture(side) for side in (500, 513)},
+    ),
+    "a caster is too low": Problem(
+        "GEO023",
+        robot(
+            CART,
+            DRIVE,
+            f'<link name="ball">{MASS.replace("1", "0.1", 1).replace("0.01", "0.0001")}<collision><geometry>'
+            '<sphere radius="0.03"/></geometry></collision></link><joint name="b" type="fixed"><parent link="body"/>'
+            '<child link="ball"/><origin xyz="-0.12 0 @@"/></joint>',
+        ),
+        "-0.055",
+        "-0.04",
+    ),
+    "a link of a model is meant to be a frame": Problem(
+        "FRM012",
+        model(f'<link name="foot"/>\n<link name="l">{SDF_BODY}</link>\n@@'),
+        "",
+        '<joint name="j" type="fixed"><parent>l</parent><child>foot</child></joint>',
+        -2,
+        ".sdf",
+    ),
+    "a wrist turns without end on one side": Problem(
+        "JNT032",
+        robot(
+            ARM,
+            *(
+                f'<link name="{side}_hand">{BODY}</link>\n<joint name="{side}_wrist" type="{kind}">'
+                f'<parent link="upper"/><child link="{side}_hand"/><origin xyz="0 {y} 0.3"/><axis xyz="0 1 0"/>\n'
+                '<limit lower="-1" upper="1" effort="9" velocity="9"/></joint>\n'
+                for side, kind, y in (("left", "revolute", "0.1"), ("right", "@@", "-0.1"))
+            ),
+        ),
+        "continuous",
+        "revolute",
+    ),
+    "the cylinder of a wheel lies flat": Problem(
+        "GEO013",
+        robot(
+            CART.replace(
+                f"<visual>{RIM}</visual><collision>{RIM}</collision>",
+                f"<visual>{RIM}</visual>\n<collision>{RIM.replace('1.5708 0 0', '@@')}</collision>",
+                1,
+            )
+        ),
+        "0 0 0",
+        "1.5708 0 0",
+        3,
+    ),
+    "a collision stays where the visual was": Problem(
+        "GEO003",
+        robot(
+            ARM.replace(
+                f"<collision>{ROD}</collision>", f"<collision>{ROD.replace('0 0 0.2', '@@')}</collision>"
+            )
+        ),
+        "0.1 0 0.2",
+        "0 0 0.2",
+    ),
+    "the wheels have another radius than the plugin says": Problem(
+        "GEO012", GZ_DRIVEN.replace("<wheel_radius>0.07", "<wheel_radius>@@"), "0.0465", "0.07"
+    ),
+    "an endless joint has limits": Problem(
+        "JNT011",
+        robot(ARM).replace('"shoulder" type="revolute"', '"shoulder" type="@@"'),
+        "continuous",
+        "revolute",
+        4,
+    ),
+    "the inertia of a small part is 1": Problem(
+        "INR005",
+        robot(ARM, FINGER.replace("</inertial></link>", f"</inertial><visual>{BOX}</visual></link>")).replace(
+            '<inertia ixx="0.0001" iyy="0.0001" izz="0.0001"', '<inertia ixx="@@" iyy="@@" izz="@@"'
+        ),
+        "1.0",
+        "0.0005",
+    ),
+    "the mass of an arm is in its base": Problem(
+        "INR013",
+        robot(ARM).replace('<inertial><origin xyz="0 0 0.2"/>', '<inertial><origin xyz="@@"/>'),
+        "0 0 -0.3",
+        "0 0 0.2",
+    ),
+    "the frame of a camera is not in the robot": Problem(
+        "GAZ012",
+        robot(
+            CART,
+            '<gazebo reference="body">\n<sensor name="s" type="camera"><camera/>\n'
+            '<plugin filename="libgazebo_ros_camera.so" name="p">\n<frameName>@@</frameName></plugin></sensor>'
+            "\n</gazebo>",
+        ),
+        "camera_link",
+        "body",
+    ),
+    "a collision is named in quotation marks": Problem(
+        "RES011",
+        robot(
+            CART,
+            '<gazebo reference="body">\n<sensor name="s" type="contact"><contact>\n<collision>@@</collision></contact>'
+            "</sensor>\n</gazebo>",
+        ),
+        '"base_link_fixed_joint_lump__body_collision"',
+        "base_link_fixed_joint_lump__body_collision",
+    ),
+    "a link is to be kept apart, and has no mass": Problem(
+        "URD014",
+        robot(
+            CART,
+            '<link name="mount">@@</link>\n<joint name="m" type="fixed"><parent link="body"/>'
+            '<child link="mount"/></joint>\n'
+            '<gazebo reference="m"><preserveFixedJoint>true</preserveFixedJoint></gazebo>',
+        ),
+        "",
+        MASS,
+    ),
+    "the interface of a transmission is in its motor alone": Problem(
+        "URD024",
+        robot(
+            ARM,
+            '<transmission name="t">\n<type>transmission_interface/SimpleTransmission</type>\n<joint name="shoulder">@@'
+            '</joint>\n<actuator name="m">'
+            "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></actuator>\n</transmission>\n"
+            '<gazebo><plugin name="c" filename="libgazebo_ros_control.so"/></gazebo>',
+        ),
+        "",
+        "<hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface>",
+    ),
+    "a plugin has no file": Problem(
+        "RES008",
+        robot(CART, '<gazebo>\n<plugin name="c"@@><robotNamespace>/</robotNamespace></plugin>\n</gazebo>'),
+        "",
+        ' filename="libmy_plugin.so"',
+    ),
+    "links are named with their own model": Problem(
+        "JNT001",
+        model(
+            f'<link name="l">{SDF_BODY}</link>\n<link name="w"><pose>0.3 0 0 0 0 0</pose>{SDF_BODY}</link>\n'
+            '<joint name="j" type="fixed"><parent>l</parent><child>@@</child></joint>'
+        ),
+        "m::w",
+        "w",
+        suffix=".sdf",
+    ),
+    "the axis of a joint is not closed": Problem(
+        "XML001",
+        model(
+            f'<link name="l">{SDF_BODY}</link>\n<link name="w"><pose>0.3 0 0 0 0 0</pose>{SDF_BODY}</link>\n'
+            '<joint name="j" type="revolute"><parent>l</parent><child>w</child>\n<axis><xyz>0 0 1</xyz>@@\n</joint>'
+        ),
+        "",
+        "</axis>",
+        1,
+        ".sdf",
+    ),
+    "an include is beside the world": Problem(
+        "SCH003",
+        '<?xml version="1.0"?>\n<sdf version="1.6">\n@@<world name="w"/>\n</sdf>\n',
+        "<include><uri>model://table</uri></include>\n",
+        "",
+        suffix=".sdf",
+    ),
+    "an argument is used above its declaration": Problem(
+        "XAC001",
+        f'<?xml version="1.0"?>\n<robot{XACRO} name="@@">\n<xacro:arg name="name" default="bot"/>\n<link name="a"/>\n'
+        "</robot>\n",
+        "$(arg name)",
+        "bot",
+        suffix=".urdf.xacro",
+    ),
+    "the name of a macro has its prefix": in_xacro(
+        '<xacro:macro name="@@neck" params=""><link name="neck"/></xacro:macro>\n<xacro:neck/>',
+        "xacro:",
+        "",
+        "XAC016",
+    ),
+    "a launch file expands macros alone": Problem(
+        "XAC022",
+        robot(
+            '<xacro:macro name="all" params="">\n<link name="a"/>\n</xacro:macro>\n@@',
+            more=f' name="bot"{XACRO}',
+        ),
+        "",
+        "<xacro:all/>",
+        -3,
+        ".urdf.xacro",
+        {"bot.launch": '<launch><param name="d" command="xacro bot.urdf.xacro"/></launch>'},
     ),
 }
 

@@ -49,6 +49,10 @@ class Origin(NamedTuple):
         (a, b, c), (d, e, f), (g, h, i) = self.rotation
         return a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z
 
+    def seen_along(self, vector: Triple) -> Triple:
+        """A vector of the outer frame, in the axes of the inner one."""
+        return Origin(self.rotation).seen(vector)
+
     def turned_moments(self, moments: Moments) -> Moments:
         """Moments along the axes of the inner frame, along those of the outer one."""
         xx, yy, zz, xy, xz, yz = moments

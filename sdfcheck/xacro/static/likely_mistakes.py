@@ -28,6 +28,7 @@ from sdfcheck.xacro.problems import (
     DeprecatedFunction,
     DoubledPrefix,
     EmptiedBlock,
+    EmptyRobot,
     ForgottenPrefix,
     MissingXacroPrefix,
     NameByDefault,
@@ -56,6 +57,7 @@ from sdfcheck.xacro.static.definitions import (
     is_free,
     is_in_include,
     is_outside,
+    is_robot,
     knows_all,
     lacks_prefix,
     own_words,
@@ -63,7 +65,8 @@ from sdfcheck.xacro.static.definitions import (
     reading,
     visible_definitions,
 )
-from sdfcheck.xacro.static.project import includers, name_endings, passed
+from sdfcheck.xacro.static.launches import is_launched
+from sdfcheck.xacro.static.project import has_namesake, includers, is_included, name_endings, passed
 
 # Elements of xacro and calls of macros that lack the prefix ``xacro:``.
 
@@ -168,6 +171,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _rebound_prefixes(document, visible)
     if knows_all(document):
         yield from _unused(document, read, visible)
+    yield from _empty_robot(document, read)
 
 
 def _symbols(read: Reading) -> Iterator[Oversight]:
@@ -582,3 +586,17 @@ def _named(element: Element) -> Span:
     """The name that an element gives."""
     spans = element.document.spans
     return spans.attribute_value(element, "name") if "name" in element.attributes else element.span
+
+
+def _empty_robot(document: Document, read: Reading) -> Iterator[Oversight]:
+    """The macro to be called in a file of macros alone that a launch file expands, and that no other file includes."""
+    root = document.root
+    if root is None or root.name != "robot" or is_robot(document) or root.has("xacro:include"):
+        return
+    if "name" not in root.attributes or has_namesake(document):
+        return  # launch files are known to name the file, but not its folder
+    called = {call.name for call in read.calls}
+    uncalled = [macro for macro in read.macros if macro.name and macro.name not in called]
+    if uncalled and is_launched(document) and not is_included(document):
+        macro = next((each for each in uncalled if each.element.has("link")), uncalled[0])
+        yield EmptyRobot(_named(macro.element), macro.name)

@@ -160,6 +160,13 @@ def is_called(document: Document, macro: str) -> bool:
     return library is None or macro in _project(library, document).written(_CALL)
 
 
+def has_namesake(document: Document) -> bool:
+    """Has another xacro file of the project the same file name?"""
+    library = library_of(document)
+    paths = () if library is None else _project(library, document).paths
+    return sum(path.name == document.path.name for path in paths) > 1
+
+
 def links_of_namesakes(document: Document) -> frozenset[str]:
     """The links of the project's other robots of the same name, as they are written: this one may be a part of one."""
     library, root = library_of(document), document.root

@@ -192,13 +192,13 @@ def limit(lower: float, upper: float) -> str:
     return f'<limit lower="{lower}" upper="{upper}" effort="99" velocity="1"/>'
 
 
-@pytest.mark.parametrize(("right", "is_told"), [(-1, True), (1, False)], ids=["one-side", "both-sides"])
-def test_what_both_sides_do_is_no_opposite_axis(
-    right: int, is_told: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize(("right", "turns"), [(-1, True), (1, False)], ids=["one-side", "both-sides"])
+def test_joints_of_both_sides_meet_the_body(
+    right: int, turns: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     found = findings(arms({"left": 1, "right": right}), Engine.MUJOCO, tmp_path, capsys)
     assert any(one["code"] == "SIM007" and "left_shoulder" in one["message"] for one in found)
-    assert any("with the opposite axis" in one["message"] for one in found) is is_told
+    assert any("with the opposite axis" in one["message"] for one in found) is turns
 
 
 def test_joints_that_follow_others_move_with_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
