@@ -2124,7 +2124,6 @@ class Stance(NamedTuple):
 
     tilt: float
     lift: float
-    touching: frozenset[Link]
     footings: tuple[Footing, ...]
     """Of the links that no drive turns and that come as near to the floor as half the radius of a wheel."""
 
@@ -2132,7 +2131,8 @@ class Stance(NamedTuple):
 _NEAR_FLOOR = 0.5
 """Of the radius of a wheel."""
 _ROUND = 0.1
-_MOST_POINTS = 60
+_MOST_POINTS, _LOWEST_POINTS = 400, 60
+"""So many points at most has a robot that is looked at, and so many of them it may stand on."""
 _TOUCHES = 1e-4
 """m"""
 
@@ -2142,14 +2142,16 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
     carriers = {joint.child_link: joint for joint in model.joints}
     try:
         solid, seen = (_footings(model, kind) for kind in ("collision", "visual"))
-        body = model.mass_properties
+        center = _center(model)
     except DescriptionError:
         return None
     lowest = {
         link: min((point[2] for point, shape in solid if shape.link is link), default=math.inf)
         for link in wheels
     }
-    if body is None or model.models or not all(_is_upright(wheel, lowest) for wheel in drive.wheels):
+    if center is None or model.models or len(solid) > _MOST_POINTS:
+        return None
+    if not all(_is_upright(wheel, lowest) for wheel in drive.wheels):
         return None
     level = min(lowest.values())
     reach = level + _NEAR_FLOOR * drive.left.radius
@@ -2160,14 +2162,27 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
             if shape.link not in wheels and point[2] < min(reach, best.height + level if best else math.inf):
                 found[shape.link, is_solid] = Footing(shape.link, shape, point[2] - level, is_solid)
     low = {shape.link for point, shape in solid if point[2] < reach}
-    plane = _floor([point for point, _ in solid], (float(body.center[0]), float(body.center[1])))
+    plane = _floor([point for point, _ in solid], center)
     if plane is None or not all(_is_stiff(link, carriers) for link in low):
         return None
     along, beside, height = plane
-    above = [(z - along * x - beside * y - height, shape.link) for (x, y, z), shape in solid]
-    touching = frozenset(link for distance, link in above if distance < _TOUCHES)
-    lift = min(distance for distance, link in above if link in wheels)
-    return Stance(math.atan(math.hypot(along, beside)), lift, touching, tuple(found.values()))
+    lift = min(z - along * x - beside * y - height for (x, y, z), shape in solid if shape.link in wheels)
+    return Stance(math.atan(math.hypot(along, beside)), lift, tuple(found.values()))
+
+
+def _center(model: Model) -> tuple[float, float] | None:
+    """Where the center of mass of a model is, seen from above; None without mass."""
+    total, sums = 0.0, [0.0, 0.0]
+    for link in model.links:
+        frame, mass, center = _frame_at_rest(link), link.inertial.mass.number, link.inertial.center
+        if frame is not None and center is not None and 0 < mass < math.inf:
+            x, y, _ = frame.applied_to(center)
+            total, sums = total + mass, [sums[0] + mass * x, sums[1] + mass * y]
+    return (sums[0] / total, sums[1] / total) if total else None
+
+
+def _frame_at_rest(link: Link) -> Origin | None:
+    return link.at_rest if link.is_urdf else _at_rest_in_sdf(link)
 
 
 def _is_upright(wheel: Wheel, lowest: Mapping[Link | None, float]) -> bool:
@@ -2180,7 +2195,7 @@ def _footings(model: Model, kind: str) -> list[tuple[Triple, Shape]]:
     """The points on which the shapes of a model may rest, in its frame; raises DescriptionError if some are unknown."""
     found: list[tuple[Triple, Shape]] = []
     for link in model.links:
-        frame = link.at_rest if link.is_urdf else _at_rest_in_sdf(link)
+        frame = _frame_at_rest(link)
         for shape in link.collisions if kind == "collision" else link.visuals:
             pose = None if frame is None else frame.followed_by(_placement_in(shape, link))
             points = () if pose is None else shape.geometry.footing(pose.seen_along((0.0, 0.0, -1.0)))
@@ -2206,7 +2221,7 @@ def _is_stiff(link: Link, carriers: Mapping[Link | None, Joint]) -> bool:
 def _floor(points: list[Triple], center: tuple[float, float]) -> tuple[float, float, float] | None:
     """The plane (slope along x and y, height) through three points, above none, that is highest at a place."""
     best, highest = None, -math.inf
-    lowest = sorted(points, key=lambda point: point[2])[:_MOST_POINTS]
+    lowest = sorted(points, key=lambda point: point[2])[:_LOWEST_POINTS]
     for (x, y, z), (x1, y1, z1), (x2, y2, z2) in combinations(lowest, 3):
         (ax, ay, az), (bx, by, bz) = (x1 - x, y1 - y, z1 - z), (x2 - x, y2 - y, z2 - z)
         area = ax * by - ay * bx
