@@ -2131,7 +2131,7 @@ class Stance(NamedTuple):
 _NEAR_FLOOR = 0.5
 """Of the radius of a wheel."""
 _ROUND = 0.1
-_MOST_POINTS, _LOWEST_POINTS = 400, 60
+_MOST_POINTS, _LOWEST_POINTS = 400, 24
 """So many points at most has a robot that is looked at, and so many of them it may stand on."""
 _TOUCHES = 1e-4
 """m"""
