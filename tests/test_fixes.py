@@ -24,6 +24,7 @@ from tests.test_rules import BENCH, TRIALS
 
 CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
 KNOWN = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
+BOOK = RuleBook()
 REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-7", "URD001-bad-2"}
 """Unsafe fixes after which something that was not read is read, and an error is found in it."""
 
@@ -44,11 +45,10 @@ def selected(data: bytes, path: Path) -> Selected:
 def some_fixed(data: bytes, path: Path, chance: Random, share: float, *, unsafe: bool) -> FixedFile:
     """The file after some of its fixes, drawn again in each round."""
     configuration = Configuration(None, isolated=True)
-    book = RuleBook()
     with Caches() as caches:
 
         def lint(file: Selected) -> tuple[Sequence[Diagnostic], int]:
-            found, silenced = lint_file(file, book, configuration.settings_for(path), caches)
+            found, silenced = lint_file(file, BOOK, configuration.settings_for(path), caches)
             return [each if chance.random() < share else each._replace(fix=None) for each in found], silenced
 
         return fix_file(selected(data, path), lint, unsafe=unsafe)
