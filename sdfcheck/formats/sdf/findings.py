@@ -153,7 +153,7 @@ _OF_URDF = {("mesh", "filename"): "uri"}
 
 
 class _Misplaced:
-    """Siblings that are in the wrong place, and go into one other."""
+    """Siblings that are in the wrong place, and go into one other; nothing else is near to their names."""
 
     def __init__(self, first: problems.MisplacedElement, definition: Definition) -> None:
         self.first = first
@@ -163,11 +163,9 @@ class _Misplaced:
         self.others: list[Element] = []
 
     def takes(self, other: problems.MisplacedElement) -> bool:
-        """Add another one, if it goes where these go; one with a suggestion of its own stays alone."""
-        first = self.first
+        """Add another one, if it goes where these go."""
         common = tuple(place for place in self.places if place in other.places)
-        is_alike = first.suggestion is other.suggestion is None and first.is_default == other.is_default
-        if not (common and is_alike and first.ignored and other.ignored):
+        if not common or self.first.is_default != other.is_default:
             return False
         self.places = common
         self.others.append(other.element)
@@ -238,6 +236,9 @@ class SdfFindings(Findings):
             # Drake refuses SDFormat for it, whatever it says.
             is_default = self.document.kind is not Kind.SDF and self.is_default(child)
             found = problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default)
+            if suggestion is not None or not ignored:
+                self.found.append(found.changed(places=likely_parents(known, parent, place)))
+                return
             groups = self.misplaced.setdefault(parent, [])
             if not any(group.takes(found) for group in groups):
                 groups.append(_Misplaced(found, place))
@@ -247,10 +248,9 @@ class SdfFindings(Findings):
 
     def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:
         """Did the element that it belongs into end too early, with another end tag after it?"""
-        ended = [name for name in places if child.span.start < self.surplus.get(name, 0)]
-        return any(
-            before.name in ended and before.span.start < child.span.start for before in parent.children()
-        )
+        ended = {name for name in places if child.span.start < self.surplus.get(name, 0)}
+        before = next((each for each in parent.children() if each.name in ended), None) if ended else None
+        return before is not None and before.span.start < child.span.start
 
     def is_default(self, element: Element) -> bool:
         """Has an element the value that holds wherever one of its name is not written?"""
