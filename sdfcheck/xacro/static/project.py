@@ -32,7 +32,7 @@ _ARGUMENT = re.compile(
     r"<xacro:(?:arg|property)\b[^<>]*?\s(?:default|value)\s*=\s*[\"']([^\"'<>]+\.\w+)[\"']"
 )
 """An argument or property may hold the name of a file that is included."""
-_DEFAULT = re.compile(r"\$\(optenv\s+\w+\s+([^()]*?)\s*\)")
+_DEFAULT = re.compile(r"\$\(optenv\s+\w+\s([^()]*)\)")
 """The value of a variable that is mostly not set."""
 _MADE_OF = re.compile(rf"{MADE_BY_XACRO}([^|\n]*)")
 """The path in the remark of xacro in a file that it makes."""
@@ -91,7 +91,7 @@ class _Project:
         for path in self.paths:
             text = text_of(path)
             for written in (*_INCLUDED.findall(text), *_ARGUMENT.findall(text)):
-                name = _DEFAULT.sub(r"\1", written)
+                name = _DEFAULT.sub(lambda found: found[1].strip(), written)
                 last = _pattern(name).rpartition("/")[2]
                 if _GLOB.search(last):
                     if _says_something(name):
