@@ -2221,8 +2221,8 @@ def _is_stiff(link: Link, carriers: Mapping[Link | None, Joint]) -> bool:
 def _floor(points: list[Triple], center: tuple[float, float]) -> tuple[float, float, float] | None:
     """The plane (slope along x and y, height) through three points, above none, that is highest at a place."""
     best, highest = None, -math.inf
-    lowest = sorted(points, key=lambda point: point[2])[:_LOWEST_POINTS]
-    for (x, y, z), (x1, y1, z1), (x2, y2, z2) in combinations(lowest, 3):
+    points = sorted(points, key=lambda point: point[2])  # a plane that is above one is above a low one
+    for (x, y, z), (x1, y1, z1), (x2, y2, z2) in combinations(points[:_LOWEST_POINTS], 3):
         (ax, ay, az), (bx, by, bz) = (x1 - x, y1 - y, z1 - z), (x2 - x, y2 - y, z2 - z)
         area = ax * by - ay * bx
         if abs(area) < _TOUCHES**2:
