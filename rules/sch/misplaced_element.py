@@ -35,7 +35,7 @@ class MisplacedElement(Rule):
     code = "SCH003"
     name = "misplaced-element"
     severity = Severity.ERROR
-    remedy = """Move it into the element that the message names.
+    remedy = """Move what is misplaced into the element that the message names.
 
     `sdfcheck describe link/inertial` and the like say what an element holds. For an element of your own,
     use a declared prefix.
