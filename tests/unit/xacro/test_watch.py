@@ -26,7 +26,7 @@ def expander(monkeypatch: pytest.MonkeyPatch) -> Iterator[Expander]:
     monkeypatch.setattr(worker, "_START", WITHOUT + worker._START)
     monkeypatch.setattr(worker, "is_needed", lambda: True)
     monkeypatch.delattr("os.fork")
-    limits = Limits(cpu=1, wall=30, memory=300_000_000, output=5_000_000)
+    limits = Limits(cpu=1, wall=30, memory=100_000_000, output=5_000_000)
     with Expander(Surroundings(limits=limits)) as one:
         yield one
 
