@@ -58,12 +58,20 @@ class _BodyWalk(UrdfWalk):
 
     def content(self, parent: Element, place: Definition) -> None:
         """Check each child for itself: what else will be there is not known."""
+        if not place.open and _has_text(parent):
+            self.findings.stray_text(parent)
         for child in content(parent):
             definition = place.children.get(child.name)
             if definition is not None:
                 self.element(child, parent, definition)
             elif not place.open and not is_plain_call(child, visible_definitions(child.document)):
                 self.findings.unexpected(child, parent, place)
+
+
+def _has_text(element: Element) -> bool:
+    """Is there text beside the children of an element?"""
+    texts = (element.text, *(child.tail for child in element.nodes))
+    return any(text and not text.isspace() for text in texts)
 
 
 def is_unfinished(element: Element) -> bool:

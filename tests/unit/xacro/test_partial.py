@@ -52,6 +52,13 @@ def test_names_that_a_package_may_define_are_not_missing(tmp_path: Path, content
     assert found(tmp_path, MISSING + content) == [("XAC007", "nowhere_near")]
 
 
+@pytest.mark.parametrize("content", [MISSING, '<xacro:macro name="never" params="a">{}</xacro:macro>'])
+def test_text_beside_what_is_not_known_is_stray(tmp_path: Path, content: str) -> None:
+    text = '<link name="a"/>f'
+    content = content.format(text) if "{}" in content else content + text
+    assert ("SCH010", "f") in found(tmp_path, content)
+
+
 def test_a_text_that_has_no_value_is_reported_once(tmp_path: Path) -> None:
     text = "${1 / 0}"
     assert [code for code, place in found(tmp_path, f'<link name="base"/>{text}') if place == text] == [
