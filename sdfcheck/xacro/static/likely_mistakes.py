@@ -130,6 +130,10 @@ _COMPARED_TRUTH = re.compile(
     rf"(?<![\w.'\"])(?P<name>[^\W\d]\w*)\s*[!=]=\s*(?P<q>['\"]){_TRUTH.format('text')}(?P=q)"
     rf"|(?P<r>['\"]){_TRUTH.format('first')}(?P=r)\s*[!=]=\s*(?P<last>[^\W\d]\w*)(?![\w.(\[])"
 )
+_AMONG_TRUTHS = re.compile(
+    r"(?<![\w.'\"])(?P<name>[^\W\d]\w*)\s+(?:not\s+)?in\s*(?:\[(?P<list>[^][]*)\]|\((?P<tuple>[^()]*)\))"
+)
+_QUOTED_TRUTH = re.compile(rf"(?P<q>['\"]){_TRUTH.format('text')}(?P=q)")
 _TRUTHS = frozenset(("true", "false", "True", "False"))
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _PREFIXED = re.compile(r"\$\{\s*(?P<parameter>[^\W\d]\w*)\s*\}(?P<slash>/?)(?P<rest>\w+)")
@@ -313,23 +317,36 @@ def _comparisons(read: Reading, visible: Definitions) -> Iterator[Oversight]:
 
 
 def _compared_truths(read: Reading, visible: Definitions) -> Iterator[Oversight]:
-    """Comparisons of a name that xacro makes a truth value with a text, which it never equals."""
+    """Comparisons of a name with a text of which xacro makes a truth value, so that it never equals it."""
     for found in read.expressions:
-        for match in _COMPARED_TRUTH.finditer(found.code):
-            name, text = match["name"] or match["last"], match["text"] or match["first"]
-            if name not in visible.parameters and _is_truth(name, visible):
-                yield TruthComparedWithText(place(found.element, found.attribute, match[0]), name, near=text)
+        for name, text, code in _truths_as_texts(found.code):
+            is_parameter = found.macro is not None and name in visible.parameters
+            if not is_parameter and _may_be_truth(name, visible):
+                yield TruthComparedWithText(place(found.element, found.attribute, code), name, near=text)
 
 
-def _is_truth(name: str, visible: Definitions) -> bool:
-    """Is a property always ``true`` or ``false``, itself or as the default of the argument that it takes?"""
-    values = [found.value for found in visible.given.get(name, ())]
-    for number, value in enumerate(values):
-        asked = re.fullmatch(r"\$\(arg\s+([^\s${}]+)\s*\)", (value or "").strip())
-        if asked:
-            defaults = {read.arguments[asked[1]] for read in visible.readings if asked[1] in read.arguments}
-            values[number] = defaults.pop() if len(defaults) == 1 else None
-    return bool(values) and _TRUTHS.issuperset(str(value).strip() for value in values)
+def _truths_as_texts(code: str) -> Iterator[tuple[str, str, str]]:
+    """The names that an expression compares with ``true`` or ``false`` in quotes: name, text, place.
+
+    A list that has the truth value itself as well is complete.
+    """
+    for match in _COMPARED_TRUTH.finditer(code):
+        yield match["name"] or match["last"], match["text"] or match["first"], match[0]
+    for match in _AMONG_TRUTHS.finditer(code):
+        items = match["list"] or match["tuple"] or ""
+        for quoted in _QUOTED_TRUTH.finditer(items):
+            if not re.search(rf"(?<!['\"]){quoted['text'].title()}(?!['\"])", items):
+                yield match["name"], quoted["text"], quoted[0]
+                break
+
+
+def _may_be_truth(name: str, visible: Definitions) -> bool:
+    """Is a property ``true`` or ``false``, or an argument that may be, and never in quotes or worked out?"""
+    values = [(found.value or "").strip() for found in visible.given.get(name, ())]
+    is_open = [value in _TRUTHS or bool(_ASKED.fullmatch(value)) for value in values]
+    return any(is_open) and all(
+        each or value.isidentifier() for each, value in zip(is_open, values, strict=True)
+    )
 
 
 def _arguments_for_parameters(read: Reading) -> Iterator[Oversight]:

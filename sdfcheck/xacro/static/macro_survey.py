@@ -7,6 +7,7 @@ nothing and has nothing twice, and a value with an expression is taken as it is.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import cast
 
@@ -27,6 +28,8 @@ _PLACES = ("", "link", "joint", "link/inertial", "link/visual", "link/visual/geo
 """Where macros are called: what their bodies hold may be at one of these paths below ``robot``."""
 _SHARE = 3
 """A body with fewer known names than so many for each foreign one is not URDF."""
+
+_OF_BUILD = re.compile(r"\s*@\w+@\s*")
 
 
 class Bodies:
@@ -69,9 +72,9 @@ class _BodyWalk(UrdfWalk):
 
 
 def _has_text(element: Element) -> bool:
-    """Is there text beside the children of an element?"""
+    """Is there text beside the children of an element, and not what a build puts something in the place of?"""
     texts = (element.text, *(child.tail for child in element.nodes))
-    return any(text and not text.isspace() for text in texts)
+    return any(text and not (text.isspace() or _OF_BUILD.fullmatch(text)) for text in texts)
 
 
 def is_unfinished(element: Element) -> bool:
