@@ -461,7 +461,7 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
     if not semantics.strangers:
         alike = _called_alike(semantics, own)
         semantics.robots = () if alike is None else (alike,)
-        semantics.namesake = _namesake(semantics, own)
+        semantics.namesake = _declared_namesake(semantics, library, expand) or _namesake(semantics, own)
 
 
 def _is_decided(
@@ -496,6 +496,19 @@ def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99)
             robot = None if head is None else _robot(path, head, semantics, None)
             if robot is not None and robot.name != semantics.name and _score(semantics, robot) > above:
                 return robot
+    return None
+
+
+def _declared_namesake(semantics: Semantics, library: Library, expand: Expand | None) -> Model | None:
+    """The robot of another name that has all that a file names, for which MoveIt's assistant made the file."""
+    path = semantics.document.path
+    for meant in declared(path, library.packages(path)):
+        head = _head(meant.path, semantics)
+        if head is None or is_expression(head.name) or head.name == semantics.name:
+            continue
+        robot = _robot(meant.path, head, semantics, expand, meant.arguments)
+        if robot is not None and robot.name == head.name and _score(semantics, robot) == 1:
+            return robot
     return None
 
 

@@ -135,6 +135,17 @@ def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path
     assert found(package, wrong) == []
 
 
+def test_the_robot_of_the_assistant_has_another_name(package: Path) -> None:
+    (package / "q").mkdir()
+    (package / "q" / "package.xml").write_text("<package><name>q</name></package>")
+    (package / ".git").mkdir()
+    (package / "arm.urdf").rename(package / "q" / "arm.urdf")
+    assert found(package, ARM, robot="my_arm") == []
+    (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: arm.urdf\n")
+    assert found(package, ARM, robot="my_arm") == [("SRD007", "my_arm")]
+    assert found(package, ARM.replace("shoulder", "hip"), robot="my_arm") == []
+
+
 def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:
     (package / "other.urdf").write_text(ROBOT.format("").replace('"arm"', '"leg"'))
     virtual = '<virtual_joint name="float" type="floating" parent_frame="map" child_link="base"/>'
