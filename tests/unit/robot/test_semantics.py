@@ -136,14 +136,16 @@ def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path
 
 
 def test_the_robot_of_the_assistant_has_another_name(package: Path) -> None:
-    (package / "q").mkdir()
-    (package / "q" / "package.xml").write_text("<package><name>q</name></package>")
     (package / ".git").mkdir()
+    configured = package / "moveit"
+    for name in ("moveit", "q"):
+        (package / name).mkdir()
+        (package / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
     (package / "arm.urdf").rename(package / "q" / "arm.urdf")
-    assert found(package, ARM, robot="my_arm") == []
-    (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: arm.urdf\n")
-    assert found(package, ARM, robot="my_arm") == [("SRD007", "my_arm")]
-    assert found(package, ARM.replace("shoulder", "hip"), robot="my_arm") == []
+    assert found(configured, ARM, robot="my_arm") == []
+    (configured / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: arm.urdf\n")
+    assert found(configured, ARM, robot="my_arm") == [("SRD007", "my_arm")]
+    assert found(configured, ARM.replace("shoulder", "hip"), robot="my_arm") == []
 
 
 def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:
