@@ -104,6 +104,8 @@ def _empty_from(folder: str, _: Disk) -> str:
 
 
 _MEDIA = ("media", "Media")
+_STEPS = frozenset({os.curdir, os.pardir})
+"""A path that begins with one is relative to the file that names it, and to nothing else."""
 
 
 class _Owners(NamedTuple):
@@ -157,7 +159,7 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
         return found._replace(name=name, owner=Path(owners.there[0]))
     path = file_path(text) if scheme else rest
     beside = os.path.join(around.folder, path)
-    if os.path.isabs(path) or disk.has(beside):
+    if os.path.isabs(path) or name in _STEPS or disk.has(beside):
         return _first(disk, scheme, (beside,))
     # Else it is looked for among the models, as Gazebo does for any scheme, and Gazebo Classic in the folders of media.
     models = (os.path.join(model, inside) for model in _owners(document, "model", name, around).tried)

@@ -56,6 +56,12 @@ def test_found(tmp_path: Path, uri: str, found: str) -> None:
     assert os.path.samefile(location.path, home / found)
 
 
+@pytest.mark.parametrize("uri", ["../arm/mesh.dae", "./mesh.dae", "file://../arm/mesh.dae"])
+def test_a_path_that_climbs_is_relative_to_its_file_alone(tmp_path: Path, uri: str) -> None:
+    write(tmp_path, {"worlds/deep/main.sdf": MODEL, "worlds/mesh.dae": "", "arm/mesh.dae": ""})
+    assert locate(opened(tmp_path / "worlds/deep/main.sdf"), uri).path is None
+
+
 def test_a_model_of_another_package_of_the_project_is_found_the_nearest_first(tmp_path: Path) -> None:
     for workspace in ("a", "b"):
         write(tmp_path / workspace / "src/robots/models/arm", {"model.config": CONFIG, "arm.sdf": ARM})
