@@ -229,6 +229,28 @@ class Semantics:
             ):
                 yield value, roots[0]
 
+    @lazy
+    def colliding_neighbors(self) -> tuple[Joint, ...]:
+        """The joints between two links that MoveIt checks for collisions with each other; empty if unsure.
+
+        It checks pairs of which a group moves a link.
+        """
+        pairs = [
+            frozenset(each.attributes.get(name, "").strip() for name in ("link1", "link2"))
+            for each in self.element.children("disable_collisions")
+        ]
+        is_other = any(True for _ in self.element.children("disable_default_collisions"))
+        if not pairs or is_other or any(is_expression(name) for pair in pairs for name in pair):
+            return ()
+        solid = {link.name for link in self.robots[0].links if link.collisions} if self.groups_of else set()
+        return tuple(
+            joint
+            for joint in (self.robots[0].joints if solid else ())
+            if {joint.parent_name, joint.child_name} <= solid
+            and not self.groups_of.keys().isdisjoint((joint.parent_name, joint.child_name))
+            and frozenset((joint.parent_name, joint.child_name)) not in pairs
+        )
+
     @property
     def unknown(self) -> Iterator[NamedPart]:
         """The names that no robot has which the file may be about, whatever its arguments are."""
