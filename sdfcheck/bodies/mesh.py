@@ -22,7 +22,7 @@ from warnings import catch_warnings, simplefilter
 
 from sdfcheck.bodies.box import Box, around
 from sdfcheck.files.library import Shelves
-from sdfcheck.files.regular import MEGABYTE, open_regular, read_on, read_regular
+from sdfcheck.files.regular import MEGABYTE, Outside, open_regular, read_on, read_regular
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
@@ -680,7 +680,7 @@ def mesh_at(
     """The content of a mesh file, read again only where its size or time of change is another one.
 
     It is opened each time, as it may be where this run must not read. A file that cannot be read has a
-    ``fault``, and never raises. ``with_skin``: where it is read, its skin will be asked for, too.
+    ``fault``, and never raises; of one outside of what may be read nothing is known. ``with_skin``: where it is read, its skin will be asked for, too.
     """
     used = Shelves() if shelves is None else shelves
     try:
@@ -692,6 +692,8 @@ def mesh_at(
                 _keep(used, path, _BOUNDS, [stamp, *_packed_mesh(found)])
                 if with_skin:
                     _keep(used, path, _SKINS, [stamp, *_packed_skin(_skin(content))])
+    except Outside:
+        return Mesh("")  # the run may not read it; others can
     except OSError as error:
         return Mesh("", fault=f"cannot be read: {error.strerror or error}")
     if shelves is None:

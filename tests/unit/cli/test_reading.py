@@ -170,6 +170,7 @@ def test_a_mesh_that_is_known_is_opened_again(
         main(["lint", "--select", "ALL", "--min-severity", "info", "a.urdf", *named])
         shown = everything(capsys)
         assert ("part.obj is not read: it lies outside of the project" in shown) is not is_read
+        assert "cannot be read" not in shown  # others can
     assert list((tmp_path / "cache" / "meshes").glob("*.json"))
     for _ in range(2):
         assert main(["lint", "a.urdf", "..", "-o", str(mesh)]) == 2
