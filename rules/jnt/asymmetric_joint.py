@@ -217,14 +217,34 @@ def is_middle(own: tuple[Link, int, float], others: list[tuple[Link, int, float]
 
 
 def is_slid(joint: Joint, mirror: Joint) -> bool:
-    """Is it elsewhere on the axis of its counterpart's mirror image, and the next joint where it should be?"""
-    along, link = joint.direction, joint.child_link
-    if along is None or link is None:
+    """Is it elsewhere on the axis of its counterpart's mirror image, and the next joint where it should be?
+
+    Or the middle of its shapes, where it carries no joint.
+    """
+    along, link, counterpart = joint.direction, joint.child_link, mirror.child_link
+    if along is None or link is None or counterpart is None:
+        return False
+    if all(hypot(*cross(offset, along)) > LEAST for offset in offsets(joint, mirror)):
         return False
     below = [each for each in link.model.joints if each.parent_link is link]
-    return any(hypot(*cross(offset, along)) <= LEAST for offset in offsets(joint, mirror)) and any(
-        each.mirror is not None and is_mirrored(each, each.mirror) for each in below
-    )
+    if below:
+        return any(each.mirror is not None and is_mirrored(each, each.mirror) for each in below)
+    own, other = middle(link), middle(counterpart)
+    return bool(own and other) and any(dist(own, image) <= LEAST for image in images(other))
+
+
+def middle(link: Link) -> list[float]:
+    """The middle of its shapes in the robot, all joints at zero; none where that is not known."""
+    if link.at_rest is None or link.extent is None:
+        return []
+    x, y, z = link.extent.center
+    return list(link.at_rest.applied_to((x, y, z)))
+
+
+def images(point: Sequence[float]) -> Iterator[list[float]]:
+    """The mirror images of a point, in the planes that robots are symmetric to."""
+    for across in (1, 0):
+        yield [-value if axis == across else value for axis, value in enumerate(point)]
 
 
 def offsets(joint: Joint, mirror: Joint) -> Iterator[list[float]]:
@@ -232,8 +252,7 @@ def offsets(joint: Joint, mirror: Joint) -> Iterator[list[float]]:
     own, other = joint.at_rest, mirror.at_rest
     if own is None or other is None:
         return
-    for across in (1, 0):
-        image = [-value if axis == across else value for axis, value in enumerate(other.position)]
+    for image in images(other.position):
         yield [a - b for a, b in zip(own.position, image, strict=True)]
 
 

@@ -6,6 +6,8 @@ from sdfcheck_rules.jnt.opposed_axis import is_opposed
 
 NEAR = 0.02
 """m of the places, rad of the limits, and of the product of two directions."""
+SLIGHT = 0.1
+"""Of a bound: limits that differ less from their opposites say nothing about a side."""
 LEAST = 2
 """Other pairs whose limits and axes agree, so that the robot is known to be symmetric."""
 SPHERE, MESH = '<sphere radius="0.1"/>', '<mesh filename="package://arms/shoulder.stl"/>'
@@ -92,6 +94,11 @@ class UnmirroredAxis(Rule):
                 '<visual><geometry><sphere radius="0.1"/></geometry></visual>', ""
             ),
             why="it carries nothing that can be seen",
+        ),
+        Good(
+            arm("0 -1 0", "-1.95", "2"),
+            scaffold=LEGS.replace('"-1" upper="2"', '"-1.95" upper="2"'),
+            why="it turns as far to both sides, nearly",
         ),
         Good(FINGER.format("two", -0.01, "0 -1 0"), scaffold=GRIPPER),
         Good(
@@ -195,9 +202,9 @@ def is_copy(joint: Joint, mirror: Joint) -> bool:
 
 
 def side(joint: Joint, mirror: Joint) -> int:
-    """1 if two joints have the same limits, -1 if they have opposite ones; 0 if neither or both."""
+    """1 if two joints have the same limits, -1 if they have opposite ones; 0 if neither, or nearly both."""
     (low, high), (left, right) = joint.axis.limit.range, mirror.axis.limit.range
-    if not -inf < low < high < inf:
+    if not -inf < low < high < inf or isclose(low, -high, rel_tol=SLIGHT):
         return 0
     is_same, is_opposite = (
         all(

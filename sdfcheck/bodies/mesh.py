@@ -298,6 +298,11 @@ class _Collada:
     def __init__(self, root: Any) -> None:
         self.root = root
         self.named = {element.get("id"): element for element in root.iter() if element.get("id")}
+        geometries = self._all(root, "geometry")
+        self.own = {
+            (one, each.get("id")): each for one in geometries for each in one.iter() if each.get("id")
+        }
+        """By the geometry as well: in some files each uses the same ids, and means its own."""
         self.measured: dict[Any, tuple[Box | None, int]] = {}
         self.points: dict[Any, Points | None] = {}
         self.corners: dict[Any, list[Points]] = {}
@@ -420,7 +425,9 @@ class _Collada:
         return np.take(points, chosen, axis=0)
 
     def _target(self, element: Any, attribute: str = "url") -> Any:
-        return self.named.get((element.get(attribute) or "").lstrip("#"))
+        name = (element.get(attribute) or "").lstrip("#")
+        geometry = next(element.iterancestors("{*}geometry"), None)
+        return self.own.get((geometry, name), self.named.get(name))
 
     @staticmethod
     def _all(element: Any, name: str) -> Iterator[Any]:
@@ -670,7 +677,7 @@ _READERS: dict[str, Callable[[bytes], Content]] = {
 # Kept from run to run
 
 
-_BOUNDS, _SKINS = ("", 4000), ("-skins", 1000)
+_BOUNDS, _SKINS = ("-bounds", 4000), ("-skin", 1000)
 """The kinds of measurements, and how many of a folder are kept."""
 
 

@@ -61,6 +61,10 @@ _DEEP = 0.02
 """m: so deep a part is not by the hulls of meshes alone."""
 _SHALLOW = 0.15
 """Of how thick the thinner part is: plain shapes are rounder or squarer than parts."""
+_NEAR = 3
+"""Joints between two parts: with more, the others, too, decide whether they meet."""
+_WEAK = 2.0
+"""Times the effort of a joint: springs and balance weights, of which the text says nothing, hold less."""
 _SMALL = 0.05
 """Of the mass of the robot: so much more matters little."""
 _APART = 0.02
@@ -248,6 +252,28 @@ class Subject:
     def moved(self) -> set[str]:
         """The links that are moved by a joint of their own."""
         return {joint.child for joint in self.robot.joints.values() if joint.moves}
+
+    @cached_property
+    def _carriers(self) -> dict[str, Joint]:
+        return {joint.child: joint for joint in self.robot.joints.values()}
+
+    def joints_between(self, a: str, b: str) -> int:
+        """How many joints that move are between two links."""
+        return len(self._way(a) ^ self._way(b))
+
+    def _way(self, link: str) -> set[str]:
+        """The joints that move it."""
+        way: dict[str, bool] = {}
+        while (joint := self._carriers.get(link)) is not None and joint.name not in way:
+            way[joint.name], link = joint.moves, joint.parent
+        return {name for name, moves in way.items() if moves}
+
+    def mass_with(self, link: str) -> float:
+        """That of a link and all that are rigidly connected with it."""
+        bodies = (
+            each.body for name, each in self.robot.links.items() if self.groups[name] == self.groups[link]
+        )
+        return sum(body.mass for body in bodies if body is not None)
 
     @cached_property
     def massless_movers(self) -> list[str]:
@@ -513,7 +539,8 @@ class Trial:
                 given[name] = body[0]
                 continue
             mass = own.body.mass if own.body is not None else 0.0
-            if not body[0] and not mass and own.geometries and name in self.subject.moved:
+            is_hollow = not body[0] and not mass and own.geometries and name in self.subject.moved
+            if is_hollow and self.subject.mass_with(name) <= self.subject.mass / 2:
                 text = f"moves, has shapes, and a mass of 0, which {self.title} takes as it is"
                 yield self._at_link(SimKind.OTHER_MASS, name, text)
                 continue
@@ -614,7 +641,8 @@ class Trial:
             unit = "m" if own.kind == "prismatic" else "rad"
             text = f"moves link `{one}` {_length(depth)} into `{other}` at {position:.3g} {unit}"
             often = f" ({count} of {steps} positions) in {self.title}{note}"
-            severity = severity if 2 * count > steps else "info"
+            is_near = self.subject.joints_between(one, other) <= _NEAR
+            severity = severity if is_near and 2 * count > steps else "info"
             if row is free.get(own.name) and own.name not in twins:
                 severity, often = "warning", f"{often}; with the opposite axis it would meet nothing"
             moment = self._moment({own.name: position}, point)
@@ -639,7 +667,8 @@ class Trial:
             start, most = (loads[each].get(urdf, 0.0) for each in ("start", "most"))
             if start > effort * 1.001:
                 text = f"needs {start:.3g} {unit} to hold the robot where it starts, and has {effort:g}"
-                yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})")
+                severity = "warning" if start > _WEAK * effort else "info"
+                yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})", severity)
             elif most > effort * 1.001:
                 text = f"needs up to {most:.3g} {unit} to hold the robot, and has {effort:g}"
                 yield self._at_joint(SimKind.WEAK_JOINT, own, f"{text} ({self.title})", "info")

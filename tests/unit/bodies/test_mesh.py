@@ -16,7 +16,7 @@ import pytest
 
 from sdfcheck.bodies import mesh
 from sdfcheck.bodies.box import Box, around
-from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, skin_at
+from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, read_skin, skin_at
 from sdfcheck.bodies.solid import of_shape, together
 from sdfcheck.files.library import Shelves
 from sdfcheck.robot.graph import Model
@@ -160,6 +160,21 @@ def test_the_nodes_of_collada_place_its_geometries(
     assert bounds is not None
     assert bounds.low == pytest.approx(low, abs=1e-9)
     assert bounds.high == pytest.approx(high, abs=1e-9)
+
+
+def test_geometries_of_collada_with_the_same_names_inside_have_their_own_points(tmp_path: Path) -> None:
+    text = collada(scene=False).decode()
+    geometry = text[text.index("<geometry") : text.index("</library_geometries>")]
+    (x, y, z), *_ = CORNERS
+    other = geometry.replace('id="g"', 'id="h"').replace(f"{x} {y} {z}", "9.0 0.0 0.0", 1)
+    path = written(tmp_path, "a.dae", text.replace(geometry, geometry + other).encode())
+    found, alone = read_mesh(path).bounds, read_mesh(written(tmp_path, "b.dae", text.encode())).bounds
+    assert found is not None
+    assert alone is not None
+    assert (found.low, found.high[0]) == (alone.low, 9.0)
+    skin = read_skin(path)
+    assert skin is not None
+    assert skin.points[:, 0].max() > 3
 
 
 def test_the_nodes_of_gltf_place_its_meshes(tmp_path: Path) -> None:

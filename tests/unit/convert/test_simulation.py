@@ -123,6 +123,29 @@ def test_planted_defects(
     assert any(says in one["message"] for one in found) or not code
 
 
+def test_an_effort_that_a_spring_may_help_is_an_info(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = findings(arm(effort=2), Engine.MUJOCO, tmp_path, capsys)
+    assert {(one["code"], one["severity"]) for one in found} == {("SIM008", "info")}
+    assert any("where it starts" in one["message"] for one in found)
+
+
+def test_a_body_whose_mass_is_in_its_parts_has_mass(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    hull = f"<link name='hull'>{inertial(0, 0)}{box('.1 .1 .1')}</link>"
+    rotor = f"<link name='rotor'>{inertial(1, 0.01)}</link>"
+    joints = (
+        "<joint name='free' type='floating'><parent link='world'/><child link='hull'/></joint>"
+        "<joint name='mount' type='fixed'><parent link='hull'/><child link='rotor'/></joint>"
+    )
+    text = f"<robot name='r'><link name='world'/>{hull}{rotor}{joints}</robot>"
+    assert codes(findings(text, Engine.MUJOCO, tmp_path, capsys)) == set()
+    light = text.replace(inertial(1, 0.01), inertial(0, 0))
+    assert codes(findings(light, Engine.MUJOCO, tmp_path, capsys)) != set()
+
+
 def test_a_robot_that_leans_tips_over(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = cart(high=0.1).replace('<origin xyz="0 0 0.1"/>', '<origin xyz="0 0.6 0.5"/>')
     (found,) = findings(text, Engine.MUJOCO, tmp_path, capsys)
