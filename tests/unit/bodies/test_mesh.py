@@ -438,13 +438,13 @@ def test_measurements_of_a_folder_are_in_one_file_that_does_not_grow_without_end
     shelves.save()
     assert len(list(cache.iterdir())) == 2
     assert [
-        Shelves().find(str(tmp_path), path.name, "", mesh_at(path).stamp) is not None for path in paths
+        Shelves().find(str(tmp_path), path.name, "-bounds", mesh_at(path).stamp) is not None for path in paths
     ] == [True] * 3
-    shelves.keep(str(tmp_path), "a", "", ["1", 2], most=2)
+    shelves.keep(str(tmp_path), "a", "-bounds", ["1", 2], most=2)
     shelves.save()
-    found = [Shelves().find(str(tmp_path), name, "", "1") for name in ("a", "0.stl")]
+    found = [Shelves().find(str(tmp_path), name, "-bounds", "1") for name in ("a", "0.stl")]
     assert found == [[2], None]
-    kept = min(cache.iterdir(), key=lambda path: len(path.name))
+    (kept,) = cache.glob("*-bounds*")
     assert list(json.loads(kept.read_text())["rows"]) == ["2.stl", "a"]
 
 
