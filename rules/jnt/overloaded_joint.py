@@ -29,7 +29,7 @@ class OverloadedJoint(Rule):
 
     code = "JNT026"
     name = "overloaded-joint"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     remedy = """Compare the masses below the joint with the machine, then the effort with its drive.
 
     `sdfcheck inertia FILE` lists the masses in kg; the effort is in N·m, or in N for a slide. If a spring or a

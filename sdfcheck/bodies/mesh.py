@@ -70,6 +70,12 @@ class Mesh(NamedTuple):
         """Is only a pointer of Git LFS here, and the file itself elsewhere?"""
         return self.fault == _POINTER
 
+    @property
+    def is_exact(self) -> bool:
+        """Is it a binary STL file without a byte too many, as decoders want it that look at its size first?"""
+        size, _, _ = self.stamp.partition(" ")
+        return self.format == "STL" and size == str(84 + 50 * self.triangles)
+
 
 class Faulty(ValueError):
     """A file that is not what its format demands; the text says why."""

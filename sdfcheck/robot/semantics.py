@@ -154,6 +154,33 @@ class Semantics:
                 yield value, f"no other group has link `{link}`"
 
     @property
+    def adjacent_pairs(self) -> Iterator[Element]:
+        """The pairs of links that it calls neighbors, whose collisions it switches off."""
+        for each in self.element.children("disable_collisions"):
+            if each.attributes.get("reason", "").strip().lower() == "adjacent":
+                yield each
+
+    @property
+    def unlisted_neighbors(self) -> Iterator[tuple[Link, Link]]:
+        """Neighbors whose collisions may touch and stay on, where those of other neighbors are off."""
+        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
+        if robot is None or any(self._unfound):
+            return
+        off = {
+            frozenset(each.attributes.get(end, "").strip() for end in ("link1", "link2"))
+            for each in self.element.children("disable_collisions")
+        }
+        free = {
+            each.attributes.get("link", "") for each in self.element.children("disable_default_collisions")
+        }
+        for link in robot.links:
+            above = _solid_above(link) if link.collisions and link.name not in free else None
+            if above is None or above.name in free or frozenset((link.name, above.name)) in off:
+                continue
+            if not above.distance_to(link):
+                yield above, link
+
+    @property
     def idle_states(self) -> Iterator[tuple[Value, str]]:
         """The first joint of each state that its group does not move, and why."""
         seen = set()
@@ -309,6 +336,16 @@ class Semantics:
         number = state.value.number
         slack = 1e-6 * max(abs(low), abs(high), 1)
         return joint if number < low - slack or number > high + slack else None
+
+
+def _solid_above(link: Link) -> Link | None:
+    """The nearest link above another one that has collisions."""
+    above = link
+    while above.parent_joints and (parent := above.parent_joints[0].parent_link) is not None:
+        if parent.collisions or parent is link:
+            return parent if parent is not link else None
+        above = parent
+    return None
 
 
 def _own_links(group: Element, robot: Model, above: Mapping[str, str]) -> Iterator[str]:

@@ -42,6 +42,7 @@ from sdfcheck.xacro.problems import (
     ReboundPrefix,
     RedefinedMacro,
     RedefinedSymbol,
+    ReplacedProperty,
     TruthComparedWithText,
     UnknownPropertyScope,
     UnusedArgument,
@@ -159,6 +160,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _macros(read)
     yield from _functions(read)
     yield from _overwritten(read)
+    yield from _replaced(read, visible)
     yield from _scopes(read)
     yield from _comparisons(read, visible)
     yield from _compared_truths(read, visible)
@@ -262,6 +264,34 @@ def _overwritten(read: Reading) -> Iterator[Oversight]:
             waiting.setdefault(found.name, {})[around] = found
         if macro is not None and element is not around:
             macro.words |= words
+
+
+def _replaced(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The includes that replace a property of an earlier one whose macros read it when they are called later."""
+    files = {each.document.path: each for each in visible.readings} if len(read.includes) > 1 else {}
+    own = {found.name for found in read.properties}
+    earlier: list[tuple[Reading, dict[str, Property]]] = []
+    for include in read.includes if files else ():
+        path, value = visible.target(include.element), include.element.attribute("filename")
+        target = files.get(path) if path is not None else None
+        if target is None or value is None or include.conditional or include.namespace:
+            continue
+        given = {found.name: found for found in target.properties if found.macro is None and _is_plain(found)}
+        used = frozenset[str]().union(*(macro.words for macro in target.macros))
+        later = {call.name for call in read.calls if call.element.span.start > include.element.span.start}
+        for other, theirs in earlier:
+            for name in sorted((given.keys() & theirs.keys() & used) - own):
+                macro = next(
+                    (each for each in other.macros if each.name in later and _reads(each, name)), None
+                )
+                if macro is not None and given[name].value != theirs[name].value:
+                    yield ReplacedProperty(value.span, name, _named(theirs[name].element), macro.name)
+        earlier.append((target, given))
+
+
+def _reads(macro: Macro, name: str) -> bool:
+    """Does a macro read the property of a name as it is where it is called?"""
+    return name in macro.words and all(name != parameter.name for parameter in macro.parameters)
 
 
 class _Inside:
