@@ -1111,12 +1111,6 @@ PROBLEMS = {
         "900",
         "0.5",
     ),
-    "friction holds a joint": Problem(
-        "JNT033",
-        robot(ARM.replace('velocity="2"/>', 'velocity="2"/>\n<dynamics friction="@@"/>')),
-        "56",
-        "0.5",
-    ),
     "the center of mass of a wheel is beside its axis": Problem(
         "INR019",
         robot(

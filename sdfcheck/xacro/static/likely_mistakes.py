@@ -270,7 +270,8 @@ def _replaced(read: Reading, visible: Definitions) -> Iterator[Oversight]:
     """The includes that replace a property of an earlier one whose macros read it when they are called later."""
     files = {each.document.path: each for each in visible.readings} if len(read.includes) > 1 else {}
     own = {found.name for found in read.properties}
-    earlier: list[tuple[Reading, dict[str, Property]]] = []
+    called = {call.name: call.element.span.start for call in read.calls} if files else {}
+    earlier: dict[str, tuple[Reading, Property]] = {}
     for include in read.includes if files else ():
         path, value = visible.target(include.element), include.element.attribute("filename")
         target = files.get(path) if path is not None else None
@@ -278,15 +279,13 @@ def _replaced(read: Reading, visible: Definitions) -> Iterator[Oversight]:
             continue
         given = {found.name: found for found in target.properties if found.macro is None and _is_plain(found)}
         used = frozenset[str]().union(*(macro.words for macro in target.macros))
-        later = {call.name for call in read.calls if call.element.span.start > include.element.span.start}
-        for other, theirs in earlier:
-            for name in sorted((given.keys() & theirs.keys() & used) - own):
-                macro = next(
-                    (each for each in other.macros if each.name in later and _reads(each, name)), None
-                )
-                if macro is not None and given[name].value != theirs[name].value:
-                    yield ReplacedProperty(value.span, name, _named(theirs[name].element), macro.name)
-        earlier.append((target, given))
+        for name in sorted((given.keys() & earlier.keys() & used) - own):
+            other, first = earlier[name]
+            reads = (each.name for each in other.macros if _reads(each, name))
+            macro = next((each for each in reads if called.get(each, -1) > value.span.start), None)
+            if macro is not None and first.value != given[name].value:
+                yield ReplacedProperty(value.span, name, _named(first.element), macro)
+        earlier.update((name, (target, found)) for name, found in given.items())
 
 
 def _reads(macro: Macro, name: str) -> bool:
