@@ -7,6 +7,8 @@ ADVICE: Mapping[type, str] = {
     Plugin: "add `gz-sim-buoyancy-system` to the plugins of the world",
 }
 """The help by what has the need; the rule's own is that of heightmaps."""
+LOST = {"navsat": "reports nothing", "gps": "reports nothing"}
+"""How sensors go on in a world without a place on the earth."""
 GZ_SIM = "gz-sim"
 PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
 GPS = '<model name="m"><link name="l"><inertial><mass>1</mass></inertial><{} name="s" type="navsat"/></link></model>'
@@ -26,7 +28,8 @@ DETECTOR = '<physics type="ode"><dart><collision_detector>bullet</collision_dete
 class UnmetNeed(Rule):
     """Something in a world of Gazebo needs what the world does not have.
 
-    A navsat sensor needs `spherical_coordinates`, without which it has no position to report. Hydrodynamics needs the
+    A navsat sensor needs `spherical_coordinates`, without which it has no position to report; for a magnetometer Gazebo
+    works out the field at that place, and warns at each step where it has none. Hydrodynamics needs the
     Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the collision detector `bullet`:
     that of the engine by default does not know heightmaps, and everything falls through.
     """
@@ -36,8 +39,8 @@ class UnmetNeed(Rule):
     severity = Severity.WARNING
     remedy = """Choose the collision detector `bullet` in the `<physics>` of the world, or add what it lacks.
 
-    - A navsat sensor: `<spherical_coordinates>` with `surface_model`, `latitude_deg`, `longitude_deg`,
-      `elevation` and `heading_deg`.
+    - A navsat sensor or magnetometer: `<spherical_coordinates>` with `surface_model`, `latitude_deg`,
+      `longitude_deg`, `elevation` and `heading_deg`.
     - Hydrodynamics: a plugin `gz-sim-buoyancy-system` with
       `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
     - A heightmap: `<physics><dart><collision_detector>bullet</collision_detector></dart></physics>`.
@@ -49,6 +52,10 @@ class UnmetNeed(Rule):
         Bad(
             PHYSICS + GPS.replace("{}", "«sensor»"),
             says="sensor `s` reports nothing: world `w` has no `spherical_coordinates`",
+        ),
+        Bad(
+            PHYSICS + GPS.replace("{}", "«sensor»").replace("navsat", "magnetometer"),
+            says="sensor `s` reports no field of a place: world `w` has no `spherical_coordinates`",
         ),
         Bad(
             PHYSICS + BOAT.replace("{}", "«plugin»"),
@@ -64,6 +71,12 @@ class UnmetNeed(Rule):
             PHYSICS
             + "<spherical_coordinates><latitude_deg>1</latitude_deg></spherical_coordinates>"
             + GPS.replace("{}", "sensor")
+        ),
+        Good(
+            PHYSICS
+            + "<magnetic_field>5e-6 2e-5 -4e-5</magnetic_field>"
+            + GPS.replace("{}", "sensor").replace("navsat", "magnetometer"),
+            why="the world has its own field",
         ),
         Good(PHYSICS + BUOYANCY + BOAT.replace("{}", "plugin")),
         Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
@@ -88,9 +101,13 @@ def needs(world: World) -> Iterator[tuple[Target, str]]:
     """The first thing of each kind that needs what the world lacks, and the words for it."""
     root = world.root
     if not world.has("spherical_coordinates"):
+        kinds = (
+            LOST if world.has("magnetic_field") else LOST | {"magnetometer": "reports no field of a place"}
+        )
         for sensor in root.each(Sensor):
-            if sensor.type in {"navsat", "gps"} and sensor.within(World) is world:
-                yield sensor, f"{sensor.title} reports nothing: {world.title} has no `spherical_coordinates`"
+            if sensor.type in kinds and sensor.within(World) is world:
+                words = f"{world.title} has no `spherical_coordinates`"
+                yield sensor, f"{sensor.title} {kinds[sensor.type]}: {words}"
                 break
     plugins = [plugin for plugin in root.each(Plugin) if plugin.known is not None]
     names = {plugin.known.file for plugin in plugins if plugin.known is not None}

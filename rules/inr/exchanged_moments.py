@@ -42,6 +42,10 @@ BLOCK = (
     "<inertial><mass>12</mass><inertia><ixx>{}</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
     '<collision name="c"><geometry><box><size>0.01 2 1</size></box></geometry></collision>'
 )
+CRATE = (
+    "<inertial><mass>15</mass><inertia><ixx>{}</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
+    '<collision name="c"><geometry><box><size>0.42 0.31 0.18</size></box></geometry></collision>'
+)
 BOARD = (
     "<inertial><mass>1.2</mass><inertia><ixx>0.00090</ixx><iyy>{}</iyy><izz>{}</izz></inertia></inertial>"
     '<collision name="c"><geometry><box><size>1.04 0.03 0.09</size></box></geometry></collision>'
@@ -93,6 +97,12 @@ class ExchangedMoments(Rule):
             fixed=BLOCK.format("5", "1", "4"),
             unsafe=True,
             says="ixx 1, iyy 4 and izz 5 look exchanged: the shapes of link `base` fill",
+        ),
+        Bad(
+            CRATE.format("«0.261»", "0.3406", "0.1606"),
+            fixed=CRATE.format("0.1606", "0.261", "0.3406"),
+            unsafe=True,
+            says="ixx 0.261, iyy 0.3406 and izz 0.1606 look exchanged",
         ),
     )
     good = (
@@ -188,18 +198,23 @@ def of_another_body(inertial: Inertial) -> tuple[int, ...]:
 
 
 def of_other_axes(inertial: Inertial) -> tuple[int, ...]:
-    """The order with two exchanged that differ little, and just as those of the only solid do about the other axes."""
+    """The order in which they are those of the only solid: about other axes all three, or two that differ little."""
     moments, solids = inertial.tensor[:3], inertial.link.solids
     only = solids[0].geometry.solid if len(solids) == 1 and not is_turned(solids[0]) else None
     if only is None or not min(only.moments[:3]) > 0:
         return ()
     solid = [inertial.mass.number * moment for moment in only.moments[:3]]
-    for order in PAIRS:
-        first, second = (axis for axis, source in enumerate(order) if axis != source)
+    for order in (*PAIRS, *RINGS):
         turned = [moments[axis] for axis in order]
-        as_written = abs(moments[first] * solid[second] / moments[second] / solid[first] - 1)
-        exchanged_back = abs(turned[first] * solid[second] / turned[second] / solid[first] - 1)
-        if as_written > ROUNDED and exchanged_back < EXACT * as_written and off(turned, solid) < 1 + NEAR:
+        if off(turned, solid) >= 1 + NEAR:
+            continue
+        if order in RINGS:
+            as_written, exchanged_back = off(moments, solid) - 1, off(turned, solid) - 1
+        else:
+            first, second = (axis for axis, source in enumerate(order) if axis != source)
+            as_written = abs(moments[first] * solid[second] / moments[second] / solid[first] - 1)
+            exchanged_back = abs(turned[first] * solid[second] / turned[second] / solid[first] - 1)
+        if as_written > ROUNDED and exchanged_back < EXACT * as_written:
             return order
     return ()
 

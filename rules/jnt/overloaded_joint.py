@@ -2,6 +2,7 @@ from collections.abc import Iterator
 from math import inf, sqrt
 
 from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
+from sdfcheck_rules.jnt.powerless_joint import is_held_by_effort
 
 GRAVITY = 9.81
 """m/s²."""
@@ -24,12 +25,13 @@ class OverloadedJoint(Rule):
     It cannot hold its load, and gives way as soon as the simulation starts. Often a mass is in grams, or the effort
     was left as a placeholder. The torque is that of gravity about the axis, where the center of all links below is as
     far to the side as it can come by this joint; the others are at zero, and the root of the robot stands upright.
-    Springs that carry the load are not known here.
+    Springs that carry the load are not known here. In a robot that drives none of these joints by its effort, this is
+    a hint.
     """
 
     code = "JNT026"
     name = "overloaded-joint"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     remedy = """Compare the masses below the joint with the machine, then the effort with its drive.
 
     `sdfcheck inertia FILE` lists the masses in kg; the effort is in N·m, or in N for a slide. If a spring or a
@@ -69,11 +71,12 @@ class OverloadedJoint(Rule):
             effort,
             f"gravity asks {asked} of {joint.title}, and its effort is {effort.text}{more}",
             labels={each.axis.limit.effort: "the same" for each, _ in others[:3]},
+            severity=None if is_held_by_effort(joint) else Severity.INFO,
         )
 
 
 def overloaded(model: Model) -> list[tuple[Joint, float]]:
-    """The joints that carry several times their effort, each with the torque or force; the worst first."""
+    """The joints that carry several times their effort, with the torque or force; first the worst that is driven."""
     limited = [
         joint
         for joint in model.joints
@@ -83,7 +86,9 @@ def overloaded(model: Model) -> list[tuple[Joint, float]]:
         return []
     carried = weights(model)
     found = [(joint, load) for joint in limited if (load := load_of(joint, carried.get(joint))) > 0]
-    return sorted(found, key=lambda each: -each[1] / each[0].axis.limit.effort.number)
+    return sorted(
+        found, key=lambda each: (not is_held_by_effort(each[0]), -each[1] / each[0].axis.limit.effort.number)
+    )
 
 
 def weights(model: Model) -> dict[Joint, list[float]]:

@@ -6,6 +6,7 @@ from sdfcheck import (
     ControlComponent,
     Diagnostic,
     Good,
+    Joint,
     Limit,
     Number,
     Part,
@@ -120,6 +121,14 @@ def is_forced(driver: ControlComponent) -> bool:
     """Is the joint moved by forces whatever is commanded, as the new Gazebo does it? Classic sets positions."""
     plugin = driver.block.plugin_value
     return driver.block.is_simulated and plugin is not None and plugin.text != CLASSIC
+
+
+def is_held_by_effort(joint: Joint) -> bool:
+    """Does something drive a joint that has no more than its effort?"""
+    driver = joint.driver
+    if not isinstance(driver, ControlComponent):
+        return driver is not None
+    return is_forced(driver) or any(interface.name == "effort" for interface in driver.commands)
 
 
 def lacking(limit: Limit) -> dict[str, Number]:

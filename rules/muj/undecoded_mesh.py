@@ -1,56 +1,89 @@
 from collections.abc import Iterator
 from pathlib import PurePosixPath
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Model, Rule, Severity, Value, used
-from sdfcheck_rules.muj.meshes import mesh_files
+from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Geometry, Good, Model, Rule, Severity, Value, used
+from sdfcheck_rules.muj.meshes import meshes
 
 MESH = '<collision><geometry><mesh filename="{}"/></geometry></collision>'
 DECODED = frozenset((".msh", ".obj", ".stl"))
+MOST = 200_000
+"""Triangles of an STL file."""
+TRIANGLE = "\0" * 80 + "\1\0\0\0" + "\0" * 50
+READ = f"which reads binary .stl up to {MOST} triangles, .obj and .msh"
+TEXT = """solid a
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid a
+"""
 
 
 class UndecodedMesh(Rule):
-    """A collision mesh is of a format that MuJoCo does not decode.
+    """A collision mesh is in a form that MuJoCo does not decode.
 
     It reads `.stl`, `.obj` and its own `.msh`, in either case of the letters, and refuses the robot
-    for any other, `.dae` above all.
+    for any other, `.dae` above all. An STL file has to be binary, to have as many bytes as its header says, and at
+    most 200,000 triangles.
     """
 
     code = "MUJ002"
     name = "undecoded-mesh"
     severity = Severity.ERROR
-    remedy = """Convert the mesh to `.stl` or `.obj`, for the collision at least.
+    remedy = """Convert the mesh to a binary `.stl` or to `.obj`, for the collision at least.
 
     Blender, MeshLab and assimp (`assimp export arm.dae arm.stl`) do so. Mind the unit and the upright axis
-    that a COLLADA file declares: STL has neither.
+    that a COLLADA file declares: STL has neither. A mesh with too many triangles is made smaller in MeshLab (Filters,
+    Remeshing, Quadric Edge Collapse Decimation), or replaced by its convex hull.
     """
     default = False
     looks_at = (Model,)
     scaffold = IN_URDF_LINK
 
-    bad = (Bad(MESH.format("«meshes/arm.dae»"), says="a `.dae` file cannot be a collision in MuJoCo"),)
+    bad = (
+        Bad(MESH.format("«meshes/arm.dae»"), says="a `.dae` file cannot be a collision in MuJoCo"),
+        Bad(
+            MESH.format("«arm.stl»"),
+            files={"arm.stl": TEXT},
+            says="an STL file that is a text, or longer than its header says, cannot be a collision in MuJoCo",
+        ),
+        Bad(MESH.format("«arm.stl»"), files={"arm.stl": TRIANGLE + "\0"}, says="longer than its header says"),
+    )
     good = (
         Good(MESH.format("meshes/arm.STL")),
+        Good(MESH.format("arm.stl"), files={"arm.stl": TRIANGLE}),
         Good(MESH.format("meshes/arm.dae").replace("collision", "visual"), why="visuals are not read"),
     )
 
     @staticmethod
     def applies(model: Model) -> bool:
-        return bool(_by_suffix(model))
+        return bool(undecoded(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
-        for suffix, values in sorted(_by_suffix(model).items()):
-            what = f"a `{suffix}` file" if suffix else "a file without suffix"
-            message = (
-                f"{what} cannot be a collision in MuJoCo{used(len(values))}, which reads .stl, .obj and .msh"
-            )
-            yield self.diagnostic(values[0], message)
+        for what, values in sorted(undecoded(model).items()):
+            yield self.diagnostic(values[0], f"{what}{used(len(values))}, {READ}")
 
 
-def _by_suffix(model: Model) -> dict[str, list[Value]]:
-    """The meshes of a format that is not decoded."""
+def undecoded(model: Model) -> dict[str, list[Value]]:
+    """The forms that cannot be a collision, in words → the meshes of that form."""
     found: dict[str, list[Value]] = {}
-    for value in mesh_files(model) if model.is_urdf else ():
-        suffix = PurePosixPath(value.text.strip()).suffix.lower()
-        if suffix not in DECODED:
-            found.setdefault(suffix, []).append(value)
+    for geometry in meshes(model) if model.is_urdf else ():
+        if (value := geometry.uri_value) is not None and (what := form(geometry, value)):
+            found.setdefault(f"{what} cannot be a collision in MuJoCo", []).append(value)
     return found
+
+
+def form(geometry: Geometry, value: Value) -> str:
+    """The form of a mesh that is not decoded; empty for one that is, or that is not here."""
+    suffix = PurePosixPath(value.text.strip()).suffix.lower()
+    if suffix not in DECODED:
+        return f"a `{suffix}` file" if suffix else "a file without suffix"
+    mesh = geometry.mesh if suffix == ".stl" else None
+    if mesh is None or mesh.fault or mesh.format != "STL":
+        return ""
+    if mesh.triangles > MOST:
+        return f"an STL file of {mesh.triangles} triangles"
+    return "" if mesh.is_exact else "an STL file that is a text, or longer than its header says,"

@@ -5,7 +5,8 @@ from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Rule, Severity, Val
 
 ACTOR = (
     '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
-    '<animation name="walk"><filename>https://example.org/walk.dae</filename></animation>'
+    '<animation name="walk"><filename>https://example.org/walk.dae</filename>'
+    "<interpolate_x>true</interpolate_x></animation>"
     '<script><trajectory id="0" type="walk"><waypoint><time>{}</time><pose>0 0 0 0 0 0</pose></waypoint>'
     "<waypoint><time>{}</time><pose>2 0 0 0 0 0</pose></waypoint></trajectory></script></actor>"
 )

@@ -70,6 +70,12 @@ class Mesh(NamedTuple):
         """Is only a pointer of Git LFS here, and the file itself elsewhere?"""
         return self.fault == _POINTER
 
+    @property
+    def is_exact(self) -> bool:
+        """Is it a binary STL file without a byte too many, as decoders want it that look at its size first?"""
+        size, _, _ = self.stamp.partition(" ")
+        return self.format == "STL" and size == str(84 + 50 * self.triangles)
+
 
 class Faulty(ValueError):
     """A file that is not what its format demands; the text says why."""
@@ -686,8 +692,8 @@ def mesh_at(
 ) -> Mesh:
     """The content of a mesh file, read again only where its size or time of change is another one.
 
-    It is opened each time, as it may be where this run must not read. A file that cannot be read has a
-    ``fault``, and never raises; of one outside of what may be read nothing is known. ``with_skin``: where it is read, its skin will be asked for, too.
+    It is opened each time, as it may be where this run must not read: then nothing is known of it. A file that cannot
+    be read has a ``fault``, and never raises. ``with_skin``: where it is read, its skin will be asked for, too.
     """
     used = Shelves() if shelves is None else shelves
     try:

@@ -154,6 +154,37 @@ class Semantics:
                 yield value, f"no other group has link `{link}`"
 
     @property
+    def adjacent_pairs(self) -> Iterator[Element]:
+        """The pairs of links that it calls neighbors, whose collisions it switches off."""
+        for each in self.element.children("disable_collisions"):
+            if each.attributes.get("reason", "").strip().lower() == "adjacent":
+                yield each
+
+    @property
+    def unlisted_neighbors(self) -> Iterator[tuple[Link, Link]]:
+        """Neighbors whose collisions may touch and stay on, where those of other neighbors are off.
+
+        MoveIt checks pairs of which a group moves a link.
+        """
+        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
+        if robot is None or any(self._unfound):
+            return
+        off = {
+            frozenset(each.attributes.get(end, "").strip() for end in ("link1", "link2"))
+            for each in self.element.children("disable_collisions")
+        }
+        free = {
+            each.attributes.get("link", "") for each in self.element.children("disable_default_collisions")
+        }
+        known: dict[str, Link | None] = {}
+        for link in robot.links:
+            above = _solid_above(link, known) if link.collisions and link.name not in free else None
+            if above is None or above.name in free or frozenset((link.name, above.name)) in off:
+                continue
+            if self.groups_of.keys() & {above.name, link.name} and not above.distance_to(link):
+                yield above, link
+
+    @property
     def idle_states(self) -> Iterator[tuple[Value, str]]:
         """The first joint of each state that its group does not move, and why."""
         seen = set()
@@ -228,28 +259,6 @@ class Semantics:
                 and any(name in names(robot, "link") for robot in self.robots)
             ):
                 yield value, roots[0]
-
-    @lazy
-    def colliding_neighbors(self) -> tuple[Joint, ...]:
-        """The joints between two links that MoveIt checks for collisions with each other; empty if unsure.
-
-        It checks pairs of which a group moves a link.
-        """
-        pairs = [
-            frozenset(each.attributes.get(name, "").strip() for name in ("link1", "link2"))
-            for each in self.element.children("disable_collisions")
-        ]
-        is_other = any(True for _ in self.element.children("disable_default_collisions"))
-        if not pairs or is_other or any(is_expression(name) for pair in pairs for name in pair):
-            return ()
-        solid = {link.name for link in self.robots[0].links if link.collisions} if self.groups_of else set()
-        return tuple(
-            joint
-            for joint in (self.robots[0].joints if solid else ())
-            if {joint.parent_name, joint.child_name} <= solid
-            and not self.groups_of.keys().isdisjoint((joint.parent_name, joint.child_name))
-            and frozenset((joint.parent_name, joint.child_name)) not in pairs
-        )
 
     @property
     def unknown(self) -> Iterator[NamedPart]:
@@ -331,6 +340,22 @@ class Semantics:
         number = state.value.number
         slack = 1e-6 * max(abs(low), abs(high), 1)
         return joint if number < low - slack or number > high + slack else None
+
+
+def _solid_above(link: Link, known: dict[str, Link | None]) -> Link | None:
+    """The nearest link above another one that has collisions; ``known``: those above links without any."""
+    passed, above = [], _parent(link)
+    while above is not None and not above.collisions and above.name not in known:
+        passed.append(above.name)
+        known[above.name] = None  # where joints form a circle, nothing is above
+        above = _parent(above)
+    found = known[above.name] if above is not None and not above.collisions else above
+    known.update(dict.fromkeys(passed, found))
+    return found if found is not link else None
+
+
+def _parent(link: Link) -> Link | None:
+    return link.parent_joints[0].parent_link if link.parent_joints else None
 
 
 def _own_links(group: Element, robot: Model, above: Mapping[str, str]) -> Iterator[str]:

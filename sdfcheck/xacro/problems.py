@@ -52,6 +52,10 @@ class OverwrittenProperty(Oversight):
     """A property has a value that nothing reads before it gets another, at ``other``."""
 
 
+class ReplacedProperty(Oversight):
+    """An included file gives a property another value than the one at ``other``, for which the macro ``near`` is."""
+
+
 class OverwrittenParameter(Oversight):
     """A property in a macro replaces the parameter of its name, at ``other``, before anything reads it."""
 

@@ -105,6 +105,7 @@ STATE = """<ros2_control name="all" type="system">
 </joint>
 {}</ros2_control>
 """
+DRIVEN = CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder").replace("position", "effort", 1)
 CONTROLLED = GZ_CONTROL.format("gz_ros2_control-system")
 SCAN = """<scan><horizontal><samples>360</samples><min_angle>-3</min_angle><max_angle>3</max_angle></horizontal></scan>
 <range><min>0.1</min><max>10</max></range>"""
@@ -1091,6 +1092,113 @@ PROBLEMS = {
         -3,
         ".urdf.xacro",
         {"bot.launch": '<launch><param name="d" command="xacro bot.urdf.xacro"/></launch>'},
+    ),
+    # Neighbors, drives, worlds and files that meet
+    "two neighbors of a robot may collide": Problem(
+        "SRD012",
+        robot(SEMANTICS, '<disable_collisions link1="base" link2="upper" reason="Adjacent"/>\n@@'),
+        "",
+        '<disable_collisions link1="finger" link2="upper" reason="Adjacent"/>',
+        -1,
+        ".srdf",
+        {"bot.urdf": robot(ARM, FINGER.replace("</link>", f"<collision>{BOX}</collision></link>", 1))},
+    ),
+    "an arm does not hold its own weight": Problem(
+        "JNT026",
+        robot(ARM.replace('effort="10"', 'effort="@@"'), DRIVEN + CONTROLLED),
+        "0.5",
+        "10",
+    ),
+    "damping lets a joint hardly move": Problem(
+        "JNT033",
+        robot(ARM.replace('velocity="2"/>', 'velocity="2"/>\n<dynamics damping="@@"/>')),
+        "900",
+        "0.5",
+    ),
+    "the center of mass of a wheel is beside its axis": Problem(
+        "INR019",
+        robot(
+            CART.replace('<link name="left"><inertial>', '<link name="left"><inertial>\n<origin xyz="@@"/>'),
+        ),
+        "0.02 0 0.01",
+        "0 0 0",
+    ),
+    "the moments of a box are for other axes": Problem(
+        "INR015",
+        robot(
+            ARM.replace('<link name="stand"/>', f'<link name="stand">{BODY}</link>'),
+            '<link name="crate">\n<inertial><mass value="15"/>\n<inertia @@ ixy="0" ixz="0" iyz="0"/></inertial>'
+            '<collision><geometry><box size="0.42 0.31 0.18"/></geometry></collision></link>\n'
+            '<joint name="c" type="fixed"><parent link="base"/><child link="crate"/></joint>',
+        ),
+        'ixx="0.261" iyy="0.3406" izz="0.1606"',
+        'ixx="0.1606" iyy="0.261" izz="0.3406"',
+    ),
+    "a world is slower than it says": Problem(
+        "SCH036",
+        '<?xml version="1.0"?>\n<sdf version="1.6">\n<world name="w">\n<physics type="ode">'
+        "<max_step_size>0.002</max_step_size><real_time_factor>1</real_time_factor>\n"
+        "<real_time_update_rate>@@</real_time_update_rate></physics>\n</world>\n</sdf>\n",
+        "250",
+        "500",
+        suffix=".sdf",
+    ),
+    "a figure slides along its way": Problem(
+        "SCH035",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n<actor name="a">'
+        "<skin><filename>https://example.org/walk.dae</filename></skin>\n"
+        '<animation name="walk"><filename>https://example.org/walk.dae</filename>@@</animation>\n'
+        '<script><trajectory id="0" type="walk"><waypoint><time>0</time><pose>0 0 0 0 0 0</pose></waypoint>'
+        "<waypoint><time>2</time><pose>2 0 0 0 0 0</pose></waypoint></trajectory></script></actor>\n</world>\n</sdf>\n",
+        "",
+        "<interpolate_x>true</interpolate_x>",
+        suffix=".sdf",
+    ),
+    "a mesh is mirrored": Problem(
+        "GAZ027",
+        model(
+            f'<link name="l">{SDF_MASS}\n<visual name="v"><geometry><mesh><uri>meshes/a.stl</uri>\n'
+            "<scale>@@</scale></mesh></geometry></visual></link>\n"
+            '<plugin filename="gz-sim-label-system" name="gz::sim::systems::Label"><label>1</label></plugin>'
+        ),
+        "1 -1 1",
+        "1 1 1",
+        suffix=".sdf",
+        files={"meshes/a.stl": cube()},
+    ),
+    "a magnetometer is nowhere on the earth": Problem(
+        "GAZ014",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">@@'
+        '<plugin filename="gz-sim-magnetometer-system" name="gz::sim::systems::Magnetometer"/>'
+        '<model name="m"><link name="l">\n'
+        f'<sensor name="s" type="magnetometer"><topic>m</topic></sensor>{SDF_BODY}</link></model></world>\n</sdf>\n',
+        "",
+        "<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>1</latitude_deg>"
+        "<longitude_deg>1</longitude_deg><elevation>0</elevation><heading_deg>0</heading_deg></spherical_coordinates>",
+        1,
+        ".sdf",
+    ),
+    "two included files define one property": Problem(
+        "XAC031",
+        robot(
+            '<xacro:include filename="small.xacro"/>\n<xacro:include filename="@@.xacro"/>\n'
+            '<xacro:small p="a"/><xacro:large p="b"/>\n<joint name="j" type="fixed"><parent link="a"/>'
+            '<child link="b"/></joint>',
+            more=f' name="bot"{XACRO}',
+        ),
+        "large",
+        "great",
+        suffix=".urdf.xacro",
+        files={
+            f"{file}.xacro": f'<robot{XACRO}><xacro:property name="{own}" value="{value}"/>'
+            f'<xacro:macro name="{name}" params="p"><link name="${{p}}"><visual><geometry><sphere radius="${{{own}}}"/>'
+            "</geometry></visual></link></xacro:macro></robot>"
+            for file, name, own, value in (
+                ("small", "small", "reach", "0.1"),
+                ("large", "large", "reach", "0.2"),
+                ("great", "large", "own_reach", "0.2"),
+            )
+        },
     ),
 }
 

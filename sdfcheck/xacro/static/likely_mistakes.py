@@ -42,6 +42,7 @@ from sdfcheck.xacro.problems import (
     ReboundPrefix,
     RedefinedMacro,
     RedefinedSymbol,
+    ReplacedProperty,
     TruthComparedWithText,
     UnknownPropertyScope,
     UnusedArgument,
@@ -163,6 +164,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _macros(read)
     yield from _functions(read)
     yield from _overwritten(read)
+    yield from _replaced(read, visible)
     yield from _scopes(read)
     yield from _comparisons(read, visible)
     yield from _compared_truths(read, visible)
@@ -266,6 +268,33 @@ def _overwritten(read: Reading) -> Iterator[Oversight]:
             waiting.setdefault(found.name, {})[around] = found
         if macro is not None and element is not around:
             macro.words |= words
+
+
+def _replaced(read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The includes that replace a property of an earlier one whose macros read it when they are called later."""
+    files = {each.document.path: each for each in visible.readings} if len(read.includes) > 1 else {}
+    own = {found.name for found in read.properties}
+    called = {call.name: call.element.span.start for call in read.calls} if files else {}
+    earlier: dict[str, tuple[Reading, Property]] = {}
+    for include in read.includes if files else ():
+        path, value = visible.target(include.element), include.element.attribute("filename")
+        target = files.get(path) if path is not None else None
+        if target is None or value is None or include.conditional or include.namespace:
+            continue
+        given = {found.name: found for found in target.properties if found.macro is None and _is_plain(found)}
+        used = frozenset[str]().union(*(macro.words for macro in target.macros))
+        for name in sorted((given.keys() & earlier.keys() & used) - own):
+            other, first = earlier[name]
+            reads = (each.name for each in other.macros if _reads(each, name))
+            macro = next((each for each in reads if called.get(each, -1) > value.span.start), None)
+            if macro is not None and first.value != given[name].value:
+                yield ReplacedProperty(value.span, name, _named(first.element), macro)
+        earlier.update((name, (target, found)) for name, found in given.items())
+
+
+def _reads(macro: Macro, name: str) -> bool:
+    """Does a macro read the property of a name as it is where it is called?"""
+    return name in macro.words and all(name != parameter.name for parameter in macro.parameters)
 
 
 class _Inside:

@@ -1,0 +1,84 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity
+from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
+
+SOLID = '<collision><geometry><box size="0.1 0.1 0.3"/></geometry></collision>'
+JOINT = '<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/></joint>'
+ROBOT = {
+    "arm.urdf": '<robot name="arm">'
+    + "".join(f'<link name="{name}">{SOLID}</link>' for name in ("base", "upper", "hand"))
+    + '<link name="flange"/>'
+    + JOINT.format("shoulder", "base", "upper")
+    + JOINT.format("elbow", "upper", "flange")
+    + JOINT.format("wrist", "flange", "hand")
+    + "</robot>",
+    "package.xml": "<package><name>arm</name></package>",
+}
+APART = '<child link="upper"/><origin xyz="0 0 1"/>'
+OFF = '<{} link1="{}" link2="{}" reason="Adjacent"/>'
+OTHER = OFF.format("disable_collisions", "hand", "upper")
+
+
+class UnlistedNeighbors(Rule):
+    """Two links next to each other may collide, where other neighbors may not.
+
+    MoveIt looks for collisions between all links but the pairs that `disable_collisions` lists, neighbors too. The
+    shapes of two links with a joint between them nearly always touch there, so that every state of the robot is one
+    in collision, and no motion can be planned. Its setup assistant lists all neighbors, also those with links without
+    collisions between them; one that is missing was added to the robot later, or its link renamed.
+    """
+
+    code = "SRD012"
+    name = "unlisted-neighbors"
+    severity = Severity.WARNING
+    remedy = """Add the pair: `<disable_collisions link1="…" link2="…" reason="Adjacent"/>`.
+
+    Or let the setup assistant work out the pairs of the robot again. If the two are to be kept apart on purpose,
+    ignore this finding.
+    """
+    looks_at = (Semantics,)
+    scaffold = IN_SRDF
+
+    bad = (
+        Bad(
+            OFF.format("«disable_collisions»", "hand", "upper"),
+            file=FILE,
+            files=ROBOT,
+            says="links `base` and `upper` are neighbors, and their collisions are not disabled",
+        ),
+    )
+    good = (
+        Good(OTHER + OFF.format("disable_collisions", "base", "upper"), file=FILE, files=ROBOT),
+        Good(
+            OTHER + '<disable_default_collisions link="base"/>',
+            file=FILE,
+            files=ROBOT,
+            why="all collisions of one of them are off",
+        ),
+        Good(
+            OTHER.replace("Adjacent", "Never"),
+            file=FILE,
+            files=ROBOT,
+            why="nothing shows that neighbors are to be listed",
+        ),
+        Good(
+            OTHER,
+            file=FILE,
+            files=ROBOT | {"arm.urdf": ROBOT["arm.urdf"].replace('<child link="upper"/>', APART)},
+            why="they are apart",
+        ),
+    )
+
+    @staticmethod
+    def applies(semantics: Semantics) -> bool:
+        return any(True for _ in semantics.unlisted_neighbors)
+
+    def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
+        (above, link), *others = semantics.unlisted_neighbors
+        message = (
+            f"links `{above.name}` and `{link.name}` are neighbors, and their collisions are not disabled"
+        )
+        message += f"; the same holds for {len(others)} more pairs" if others else ""
+        *_, last = semantics.adjacent_pairs
+        yield self.diagnostic(last, message)
