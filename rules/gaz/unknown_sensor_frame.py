@@ -5,6 +5,7 @@ from sdfcheck import (
     ControlComponent,
     Diagnostic,
     Element,
+    GazeboBlock,
     Good,
     Model,
     Part,
@@ -79,6 +80,11 @@ class UnknownSensorFrame(Rule):
         Good("<gz_frame_id>odom</gz_frame_id>"),
         Good(PLUGIN.format("scan")),
         Good("scan", scaffold=CONTROL),
+        Good(
+            "<gz_frame_id>imu</gz_frame_id>",
+            scaffold=SENSOR.replace('reference="scan"', 'reference="imu"'),
+            why="unreferenced-extension reports the block",
+        ),
     )
 
     @staticmethod
@@ -105,10 +111,13 @@ def robot_of(part: Part) -> Model:
 
 
 def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
-    """The frames of a sensor that no link has, with a prefix or without."""
+    """The frames of a sensor that no link has, with a prefix or without; not the link that its own block lacks."""
+    lost = {block.reference for block in part.root.each(GazeboBlock) if block.is_unresolved}
     for element in frames(part):
         name = element.content.strip()
         if not name or "$" in name or "{" in name:
+            continue
+        if name in lost:
             continue
         links = robot_of(part).tree.links
         is_known = (

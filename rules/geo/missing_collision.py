@@ -1,5 +1,6 @@
 import re
 from collections.abc import Iterator
+from operator import ne
 
 from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity
 
@@ -67,6 +68,14 @@ class MissingCollision(Rule):
             ),
             why="massless-moving-link reports that it has no mass either",
         ),
+        Good(
+            robot(
+                "palm",
+                *(f"finger_1_{n} visual" for n in "12"),
+                *(f"finger_2_{n} visual collision" for n in "12"),
+            ),
+            why="neither of the first parts of the fingers has one",
+        ),
     )
 
     @staticmethod
@@ -103,11 +112,16 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
 
 
 def numbered(link: Link) -> list[Link]:
-    """The other links of its name with other numbers (`rotor_0`); none where that is just a chain of links."""
-    key = NUMBER.sub("", link.name)
+    """The other links of its name with another number (`rotor_0`); none where that is just a chain of links."""
+    key, own = NUMBER.sub("", link.name), NUMBER.findall(link.name)
     if key == link.name or CHAIN.fullmatch(key):
         return []
-    return [other for other in link.model.links if other is not link and NUMBER.sub("", other.name) == key]
+    alike = [other for other in link.model.links if NUMBER.sub("", other.name) == key]
+    return [
+        other
+        for other in alike
+        if sum(map(ne, own, NUMBER.findall(other.name))) == 1  # of `finger_1_2` not `finger_2_1`
+    ]
 
 
 def is_small(link: Link, others: list[Link]) -> bool:

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import acos, cos, degrees, dist, radians
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Rule, Severity, Shape
+from sdfcheck import Bad, Diagnostic, Element, Good, Joint, Link, Rule, Severity, Shape, Value
 
 MOST = cos(radians(10))
 """Of 329 wheels in public robots four are turned farther, all of one robot, and by mistake."""
@@ -43,6 +43,14 @@ class WheelAcrossAxis(Rule):
             WHEEL.format("0 0 0", "0.04", "«0 1 0»"),
             says="wheel `wheel` is a cylinder that stands 90° off the axis of joint `j`",
         ),
+        Bad(
+            WHEEL.format("«0 0 0»", "0.04", "0 1 0").replace(
+                "<collision>",
+                '<visual><origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.1" length="0.04"/></geometry>'
+                "</visual><collision>",
+            ),
+            says="wheel `wheel` is a cylinder that stands 90° off the axis of joint `j`",
+        ),
     )
     good = (
         Good(WHEEL.format("1.5708 0 0", "0.04", "0 1 0")),
@@ -67,11 +75,29 @@ class WheelAcrossAxis(Rule):
         if link is None:
             return
         off = degrees(acos(min(1.0, alignment(joint))))
-        yield self.diagnostic(
-            joint.axis.xyz if joint.axis.xyz.is_given else joint,
-            f"{_noun(link)} `{link.name}` is a cylinder that stands {off:.0f}° off the axis of {joint.title}",
-            labels={shapes_of(link)[0]: "the cylinder, which is along its z axis"},
+        message = (
+            f"{_noun(link)} `{link.name}` is a cylinder that stands {off:.0f}° off the axis of {joint.title}"
         )
+        shape, axis = shapes_of(link)[0], joint.axis.xyz if joint.axis.xyz.is_given else joint
+        if any(along(each, joint) >= MOST for each in link.visuals):
+            place = turn_of(shape) or shape
+            yield self.diagnostic(place, message, labels={axis: "the axis, along which the visual is"})
+        else:
+            yield self.diagnostic(axis, message, labels={shape: "the cylinder, which is along its z axis"})
+
+
+def turn_of(shape: Shape) -> Value | Element | None:
+    """The place where its rotation is written; None where there is none."""
+    origin = shape.find("origin")
+    return shape.find("pose") if origin is None else origin.attribute("rpy") or origin
+
+
+def along(shape: Shape, joint: Joint) -> float:
+    """The cosine of the angle between a cylinder in its child and the axis of a joint; -1 for other shapes."""
+    way, axis, frame = shape.along, joint.direction, joint.at_rest
+    if shape.geometry.shape != "cylinder" or way is None or axis is None or frame is None:
+        return -1.0
+    return abs(sum(one * other for one, other in zip(frame.turned(way), axis, strict=True)))
 
 
 def alignment(joint: Joint) -> float:
@@ -83,17 +109,17 @@ def alignment(joint: Joint) -> float:
     own = joint.find("pose")
     if not is_endless(joint) or (own is not None and own.content):
         return -1.0
-    geometry, axis, frame = shapes[0].geometry, joint.direction, joint.at_rest
+    geometry, frame = shapes[0].geometry, joint.at_rest
     radius, length = float(geometry.radius), float(geometry.length)
     if geometry.solid is None or not radius >= SMALLEST or not length < 2 * radius:
         return -1.0
-    way, place = shapes[0].along, shapes[0].position
-    if way is None or place is None or dist(place, (0, 0, 0)) > 0.6 * radius or axis is None or frame is None:
+    place = shapes[0].position
+    if place is None or dist(place, (0, 0, 0)) > 0.6 * radius or frame is None:
         return -1.0
     inner = (each.at_rest for each in link.child_joints if each.moves)
     if any(rest is not None and dist(rest.position, frame.position) < SMALLEST for rest in inner):
         return -1.0  # a ring of a gimbal
-    return abs(sum(one * other for one, other in zip(frame.turned(way), axis, strict=True)))
+    return along(shapes[0], joint)
 
 
 def shapes_of(link: Link) -> tuple[Shape, ...]:

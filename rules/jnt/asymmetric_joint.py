@@ -7,6 +7,8 @@ LEAST, SHARE = 0.005, 0.05
 """m, and of the distance: joints that are made by hand differ by less."""
 TWINS, SPREAD = 2, 3.0
 """Joints between the same meshes that agree, and the times of what is between them: parts may have been measured."""
+UNLIKE = 0.25
+"""Of a length: parts that differ by more are no mirror images."""
 MOST = 3
 """Pairs: a robot with more of them is not meant to be symmetric."""
 JOINT = (
@@ -19,6 +21,7 @@ ARM = JOINT + (
     '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
 )
 ROBOT = '<robot name="r"><link name="base"/><link name="left_wheel"/><link name="right_wheel"/>{}</robot>'
+SMALL = '<link name="{}_wheel"><visual><geometry><sphere radius="{}"/></geometry></visual></link>'
 BODY = (
     '<link name="base"><visual><origin xyz="0 0.025 0"/><geometry><box size="0.3 0.3 0.1"/></geometry></visual>'
     "</link>"
@@ -95,6 +98,18 @@ class AsymmetricJoint(Rule):
             JOINT.format("left", "0.7 0.8 0.6") + JOINT.format("right", "0.7 0.7 0.55"),
             why="the frame is far from both, and may be turned",
         ),
+        Good(
+            JOINT.format("left", "0.1 0.2 0") + JOINT.format("right", "0.1 -0.1 0"),
+            scaffold=ROBOT.replace('<link name="left_wheel"/>', SMALL.format("left", 0.1)).replace(
+                '<link name="right_wheel"/>', SMALL.format("right", 0.05)
+            ),
+            why="one wheel is half as large as the other",
+        ),
+        Good(
+            JOINT.format("l_r", "0.1 0.2 0") + JOINT.format("r_r", "0.1 -0.15 0"),
+            scaffold='<robot name="r"><link name="base"/><link name="l_r_wheel"/><link name="r_r_wheel"/>{}</robot>',
+            why="of two wheels on each side the right one, which is the left one of the mirror image",
+        ),
         Good(JOINT.format("left", "0.1 0.2 0") + JOINT.format("third", "0 0 0"), why="no counterpart"),
     )
 
@@ -137,6 +152,7 @@ def displaced(model: Model) -> list[tuple[Joint, Joint]]:
         and not is_mirrored(joint, mirror)
         and not is_slid(joint, mirror)
         and not is_aside(joint, mirror)
+        and not is_unlike(joint, mirror)
     ]
     planes = [plane(*pair) for pair in found]
     found = [
@@ -193,6 +209,16 @@ def is_aside(joint: Joint, mirror: Joint) -> bool:
     """Do both hang on one link, on one side of each plane of its frame?"""
     own, other = origin_of(joint), origin_of(mirror)
     return joint.parent_link is mirror.parent_link and all(a * b > 0 for a, b in zip(own, other, strict=True))
+
+
+def is_unlike(joint: Joint, mirror: Joint) -> bool:
+    """Do they carry parts of different sizes?"""
+    links = (joint.child_link, mirror.child_link)
+    own, other = (link.extent if link is not None else None for link in links)
+    if own is None or other is None:
+        return False
+    sizes = zip(sorted(own.size), sorted(other.size), strict=True)
+    return any(abs(a - b) > UNLIKE * max(a, b) for a, b in sizes)
 
 
 def plane(joint: Joint, mirror: Joint) -> tuple[Link, int, float] | None:

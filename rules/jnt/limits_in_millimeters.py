@@ -51,6 +51,14 @@ class LimitsInMillimeters(Rule):
             ),
             why="the link of a base that moves in a plane",
         ),
+        Good(
+            '<link name="y"/><joint name="x" type="prismatic"><parent link="base"/><child link="y"/>'
+            '<axis xyz="1 0 0"/><limit lower="-200" upper="200" effort="5" velocity="1"/></joint>'
+            + SLIDE.replace('parent link="base"', 'parent link="y"').format(
+                '<limit lower="-200" upper="200" effort="5" velocity="1"/>'
+            ),
+            why="the ways of a body in its world",
+        ),
     )
 
     @staticmethod
@@ -78,7 +86,12 @@ def is_long(limit: Limit) -> bool:
 
 
 def length(limit: Limit) -> float:
-    """The greatest length (m) of the two links of its joint that are seen; 0 where it is not known."""
-    links = (limit.joint.child_link, limit.joint.parent_link)
-    extents = [link.extent for link in links if link is not None and link.visuals]
+    """The greatest length (m) of the two links of its joint that are seen; 0 where it is not known.
+
+    Also where it carries a link that is not seen, or hangs on one that another joint carries: that is a way of a base.
+    """
+    child, parent = limit.joint.child_link, limit.joint.parent_link
+    if child is None or parent is None or not child.visuals or (parent.parent_joints and not parent.visuals):
+        return 0.0
+    extents = [link.extent for link in (child, parent) if link.visuals]
     return max((max(box.size) for box in extents if box is not None), default=0.0)

@@ -32,9 +32,9 @@ class UnknownJointEnd(Rule):
     libsdformat, Drake and urdfdom refuse the file; libsdformat overlooks the parents of joints in
     nested models. In SDFormat a joint may end at a link, frame, joint or nested model
     of its own model, and by `A::b` at what is in nested models. Nothing reaches outwards,
-    but `world` can be a parent everywhere; in URDF only Drake knows it, and a robot that
-    declares Drake's prefix gets a warning. So does a xacro file that a robot of the same name
-    in another file could hold, as one of its parts.
+    but `world` can be a parent everywhere; in URDF only Drake knows it, and a robot that is made
+    for it gets a warning. So does a xacro file that a robot of the same name in another file
+    could hold, as one of its parts.
     """
 
     code = "JNT001"
@@ -83,6 +83,12 @@ class UnknownJointEnd(Rule):
             '<joint name="j" type="fixed"><parent link="base"/><child link="«arm»"/></joint>',
             scaffold=IN_ROBOT,
             says="child `arm` of joint `j` does not exist",
+        ),
+        Bad(
+            '<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="arm"/>'
+            '<joint name="j" type="fixed"><parent link="«world»"/><child link="arm"/></joint></robot>',
+            scaffold="{}",
+            says="parent `world` of joint `j` does not exist",
         ),
         Bad(
             TIP,
@@ -160,7 +166,6 @@ class UnknownJointEnd(Rule):
         if value.text.strip() == "world":
             advice = "only Drake takes `world` for granted, others want a link of that name"
             affects[Consumer.DRAKE] = accepts("takes it for granted")
-            is_meant = "drake" in value.element.namespaces
         elif joint.is_in_namesake(value.text.strip()):
             advice, is_meant = (
                 f"another file of robot `{joint.scope.name}` has it: include this one there",

@@ -3,6 +3,8 @@ from collections.abc import Iterator
 from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, rename
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_ROBOT, REFUSED
 
+PLUGIN = r"<(plugin)\s*>"
+"""A plugin in a branch of xacro that the arguments do not take; those of Gazebo have attributes."""
 BLOCK = '<ros2_control name="arm" type="system">{}</ros2_control>'
 
 
@@ -64,11 +66,13 @@ class MissingControlPlugin(Rule):
             if element.name == "plugin":
                 yield self.diagnostic(element, f"`plugin` of {block.title} is empty")
                 continue
-            message = f"{element.title} of {block.title} has no `<plugin>`: {REFUSED}"
+            may_be = block.document.may_name(PLUGIN, "plugin")
+            unless = ", unless an argument brings one" if may_be else ""
+            message = f"{element.title} of {block.title} has no `<plugin>`{unless}: {REFUSED}"
             place, fix = element, None
             for child in element.children():
                 if child.name == "type" or block.nearest(child.name, ("plugin",)):
                     place, message = child, f"{message}; did you mean `plugin`?"
                     fix = rename("plugin", child)
                     break
-            yield self.diagnostic(place, message, fix=fix)
+            yield self.diagnostic(place, message, fix=fix, severity=Severity.WARNING if may_be else None)

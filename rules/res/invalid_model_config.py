@@ -174,6 +174,13 @@ class InvalidModelConfig(Rule):
             why="the folder of a world",
         ),
         Good(
+            "<model><name>parts</name></model>",
+            file=CONFIG,
+            scaffold="{}",
+            files={"meshes/tire.stl": ""},
+            why="a folder of meshes for other models",
+        ),
+        Good(
             '<sdf version="1.5">old.sdf</sdf><sdf version="1.12">arm.sdf</sdf>',
             file=CONFIG,
             files={"arm.sdf": ARM, "old.sdf": ARM.replace("1.12", "1.5")},

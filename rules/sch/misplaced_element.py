@@ -84,6 +84,11 @@ class MisplacedElement(Rule):
             scaffold=IN_ROBOT,
             says="becomes a plugin of `base`, which Gazebo does not load",
         ),
+        Bad(
+            '<sdf version="1.12"><model name="m"><link name="wall"><«name»>wall</name></link></model></sdf>',
+            scaffold="{}",
+            says="`name` is an attribute of link `wall`, which has this value",
+        ),
     )
     good = (
         Good("<inertial><mass>2</mass></inertial>"),
@@ -121,27 +126,33 @@ class MisplacedElement(Rule):
                 help="drop `reference` for a plugin of the robot; a plugin of a sensor goes into its `sensor`",
             )
             return
-        names = list(dict.fromkeys(each.name for each in (element, *problem.others)))
-        count = len(problem.others) + 1 if len(names) == 1 else 1
-        do, they, go = ("does", "it", "goes") if len(names) == 1 else ("do", "they", "go")
-        message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {parent.title}"
         if (element.name, parent.name) == ("color", "material"):
-            message += ", which has `diffuse` and `ambient` in SDFormat"
+            message = "`color` does not belong in `material`, which has `diffuse` and `ambient` in SDFormat"
             yield self.diagnostic(element, message, fix=as_colors(element, parent))
-            return
-        if problem.suggestion is not None:
-            message += f"; did you mean `{problem.suggestion}`?"
-        else:
-            message += f"; {they} {go} into {named(problem.places, 'or', most=SHOWN)}"
-        fix = rename(problem.suggestion, element)
-        if problem.ignored:
+        elif not problem.others and element.content and element.name in parent.attributes:
+            same = "this value" if parent.attributes[element.name] == element.content else "another value"
+            message = f"`{element.name}` is an attribute of {parent.title}, which has {same}"
+            yield self.diagnostic(element, message, severity=Severity.WARNING)
+        elif problem.ignored:
             # The recorded state of a link, copied into the model, makes no other robot of it; nor does a default.
             is_recorded = parent.name == "link" and RECORD in problem.places
             severity = Severity.WARNING if is_recorded or problem.is_default else self.severity
-            yield self.diagnostic(element, message, fix=fix, severity=severity)
-            return
-        message += "; libsdformat follows it anyway"
-        yield self.diagnostic(element, message, severity=Severity.WARNING)
+            fix = rename(problem.suggestion, element)
+            yield self.diagnostic(element, misplaced(problem), fix=fix, severity=severity)
+        else:
+            message = f"{misplaced(problem)}; libsdformat follows it anyway"
+            yield self.diagnostic(element, message, severity=Severity.WARNING)
+
+
+def misplaced(problem: problems.MisplacedElement) -> str:
+    """Elements in the wrong place, and where they go."""
+    names = list(dict.fromkeys(each.name for each in (problem.element, *problem.others)))
+    count = len(problem.others) + 1 if len(names) == 1 else 1
+    do, they, go = ("does", "it", "goes") if len(names) == 1 else ("do", "they", "go")
+    message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {problem.parent.title}"
+    if problem.suggestion is not None:
+        return f"{message}; did you mean `{problem.suggestion}`?"
+    return f"{message}; {they} {go} into {named(problem.places, 'or', most=SHOWN)}"
 
 
 def as_colors(color: Element, material: Element) -> Fix | None:

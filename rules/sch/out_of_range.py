@@ -9,6 +9,7 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
     Good,
     Rule,
     Severity,
@@ -80,6 +81,11 @@ class OutOfRange(Rule):
             scaffold=IN_WORLD,
             says="min_step_size 0.01 is above max_step_size 0.001",
         ),
+        Bad(
+            '<gazebo reference="base"><visual><material><ambient>«220» 0 0 1</ambient></material></visual></gazebo>',
+            scaffold=IN_ROBOT,
+            says="should be",
+        ),
     )
     good = (
         Good("<clip><near>0.1</near><far>inf</far></clip>", why="there is no end to what it sees"),
@@ -98,7 +104,7 @@ class OutOfRange(Rule):
             )
             return
         name = problem.value.attribute or problem.value.element.name
-        is_refused = problem.refused or _is_moment(problem)
+        is_refused = (problem.refused and not _is_lost(problem.value.element)) or _is_moment(problem)
         must = "must" if is_refused else "should"
         message = f"`{name}` {must} be {problem.bound}, not {problem.span.text}"
         if problem.instead is not None:
@@ -107,12 +113,22 @@ class OutOfRange(Rule):
         if is_refused:
             severity = Severity.ERROR
             affects[Consumer.GAZEBO] = REFUSES
-        if problem.refused:
+        if is_refused and problem.refused:
             others = warns("takes the number as it is") if name == "rgba" else REFUSES
             affects = {**dict.fromkeys(Consumer, others), **unreadable(problem.value)}
         if name == "rgba":
             affects |= {Consumer.DRAKE: REFUSES, Consumer.MUJOCO: others}
         yield self.diagnostic(problem.span, message, severity=severity, affects=affects)
+
+
+def _is_lost(element: Element) -> bool:
+    """Is it in a block about the visual of a link that has none? Nobody reads it."""
+    around = {each.name: each for each in element.around}
+    block, root = around.get("gazebo"), element.document.root
+    if block is None or root is None or "visual" not in around:
+        return False
+    links = [link for link in root.children("link") if link.text_of("name") == block.text_of("reference")]
+    return bool(links) and not any(link.has("visual") for link in links)
 
 
 def _is_moment(problem: problems.ValueOutOfRange) -> bool:

@@ -93,6 +93,7 @@ class UnknownChoice(Rule):
             why="of joint types any case is read",
             scaffold=IN_MODEL,
         ),
+        Good('<physics type="ignore"/>', why="as `ignored`, which nobody reads", scaffold=IN_WORLD),
         Good(
             '<sensor name="s" type="wideanglecamera"><camera/></sensor>',
             why="another spelling of wide_angle_camera",
@@ -104,6 +105,8 @@ class UnknownChoice(Rule):
     )
 
     def check(self, problem: problems.UnknownChoice) -> Iterator[Diagnostic]:
+        if problem.suggestion == "ignored":
+            return  # the type of physics that nobody is to read, and nobody does
         value, choices = problem.value, [choice for choice in problem.choices if choice]
         place = f"`{value.element.name}`"
         if value.attribute is not None:

@@ -26,7 +26,8 @@ class MissingGeometry(Rule):
 
     urdfdom stops reading the link there, so that it loses the visuals that follow and all
     of its collisions; the rest of the robot is read as if nothing had happened. Drake
-    refuses the file. A shape with a prefix is meant for one consumer: a warning.
+    refuses the file. A shape with a prefix is meant for one consumer: a warning. So is a `plane` with its
+    `normal`, for PyBullet.
     """
 
     code = "URD007"
@@ -59,6 +60,10 @@ class MissingGeometry(Rule):
             scaffold="",
             says="`drake:ellipsoid` is not a shape of URDF",
         ),
+        Bad(
+            '<collision><geometry><«plane» normal="0 0 1"/></geometry></collision>',
+            says="`plane` is not a shape of URDF",
+        ),
     )
     good = (Good('<visual><geometry><mesh filename="package://p/m.stl"/></geometry></visual>'),)
 
@@ -84,11 +89,12 @@ class MissingGeometry(Rule):
         self, shape: Visual | Collision, place: Element, message: str, fix: Fix | None = None
     ) -> Diagnostic:
         affects = {Consumer.MUJOCO: unreadable(shape.element)[Consumer.MUJOCO]}
+        is_plane = place.name == "plane" and "normal" in place.attributes
         if place.name.startswith("drake:"):
             affects[Consumer.DRAKE] = accepts("knows it")
-        if place.name == "plane":
+        if is_plane:
             affects[Consumer.PYBULLET] = accepts("knows it")
-        severity = Severity.WARNING if place.is_custom else None
+        severity = Severity.WARNING if place.is_custom or is_plane else None
         return self.diagnostic(place, message, severity=severity, affects=affects, fix=fix)
 
 

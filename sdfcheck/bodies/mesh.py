@@ -283,19 +283,31 @@ def _obj_triangles(faces: bytes) -> Any:
     return _fans(sides // width, np.where(corners > 0, corners - 1, corners)[::width])
 
 
+_OPEN_VALUE = re.compile(rb'="[^"<]*<[^"]*"')
+"""The value of an attribute with the bracket of a tag in it."""
+
+
 def _read_collada(data: bytes) -> Content:
     from lxml import etree
 
     try:
-        # Entities are not resolved and nothing is fetched.
-        parser = etree.XMLParser(
-            resolve_entities=False, no_network=True, huge_tree=True, remove_comments=True
-        )
-        root = etree.fromstring(data, parser)
+        root = _xml(data)
     except etree.XMLSyntaxError as error:
-        raise Faulty(f"is not well-formed XML ({error.msg})") from None
+        # An exporter writes ids like "<STL_BINARY>", which the parsers of consumers take.
+        try:
+            root = _xml(_OPEN_VALUE.sub(lambda value: value[0].replace(b"<", b"&lt;"), data))
+        except etree.XMLSyntaxError:
+            raise Faulty(f"is not well-formed XML ({error.msg})") from None
     collada = _Collada(root)
     return collada.mesh(), collada.triangles
+
+
+def _xml(data: bytes) -> Any:
+    """The root element; entities are not resolved and nothing is fetched."""
+    from lxml import etree
+
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, huge_tree=True, remove_comments=True)
+    return etree.fromstring(data, parser)
 
 
 class _Collada:

@@ -298,3 +298,21 @@ def ignored_by_drake(dialect: str) -> tuple[Ignored, ...]:
                 name, _, unless = item.partition("!")
                 found.append(Ignored(tuple(parent.split("/")[::-1]), name, unless, warned))
     return tuple(found)
+
+
+def is_for_drake(document: Document) -> bool:
+    """Is it a robot that Drake alone can build: by its joints, or by a joint to a `world` that is not there?
+
+    The latter is meant for it where its prefix is declared, or a transmission has the type that it knows.
+    """
+    root = document.root
+    if document.kind is not Kind.URDF or root is None or root.name != "robot":
+        return False
+    if root.has("drake:joint"):
+        return True
+    parents = (joint.find("parent") for joint in root.children("joint"))
+    hangs_on_world = any(parent is not None and parent.text_of("link") == "world" for parent in parents)
+    if not hangs_on_world or any(link.text_of("name") == "world" for link in root.children("link")):
+        return False
+    types = (each.text_of("type") for each in root.children("transmission"))
+    return "drake" in root.namespaces or "SimpleTransmission" in types

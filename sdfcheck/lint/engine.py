@@ -199,10 +199,26 @@ def _check(
     if not (diagnostics or extended):
         return failure
     dialect = "sdf" if document.kind in (Kind.SDF, Kind.MODEL_CONFIG) else "urdf"
-    adapted = _adapted(diagnostics, facts, dialect, dispatch)
+    adapted = _adapted(_for_audience(diagnostics, facts, document), facts, dialect, dispatch)
     if extended:
         adapted += _adapted(extended, facts, EXTENSION, dispatch)
     return [*adapted, *failure]
+
+
+def _for_audience(diagnostics: list[Diagnostic], facts: RuleFacts, document: Document) -> list[Diagnostic]:
+    """The diagnostics, with warnings for errors of others than the one consumer that can build a robot."""
+    if all(each.severity is not Severity.ERROR for each in diagnostics):
+        return diagnostics
+    from sdfcheck.consumers.urdf_readers import is_for_drake
+
+    if not document.view(is_for_drake):
+        return diagnostics
+    found = []
+    for each in diagnostics:
+        harmed = {by for by, said in reactions(facts, "urdf", each.affects) if not said.is_harmless}
+        is_of_others = bool(harmed) and "drake" not in harmed
+        found.append(each._replace(severity=Severity.WARNING) if is_of_others else each)
+    return found
 
 
 def _adapted(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sdfcheck.consumers.measured import is_measured
 from sdfcheck.consumers.reaction import ON_REQUEST, READS, Consumer, Reaction, Verdict
+from sdfcheck.consumers.urdf_readers import is_for_drake
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.run import Run
 from sdfcheck.source.document import Document
@@ -96,10 +97,7 @@ OWN_CONSUMER: Mapping[Kind, Consumer] = {
 
 def own_consumer(document: Document) -> Consumer | None:
     """Whose file it is."""
-    root = document.root
-    if document.kind is Kind.URDF and root is not None and root.has("drake:joint"):
-        return Consumer.DRAKE
-    return OWN_CONSUMER.get(document.kind)
+    return Consumer.DRAKE if is_for_drake(document) else OWN_CONSUMER.get(document.kind)
 
 
 def errors(document: Document) -> list[Diagnostic]:

@@ -188,7 +188,8 @@ class Resource(FileUse):
         if "/" not in self.uri and _is_for_gazebo(self.element):
             return False  # Gazebo knows where its own pictures are
         location = self.location
-        return location.path is None and location.is_local and not self._is_among_textures
+        is_there = self._is_among_textures or self._is_in_mesh_folder
+        return location.path is None and location.is_local and not is_there
 
     @property
     def meant_package(self) -> str | None:
@@ -212,6 +213,17 @@ class Resource(FileUse):
             return False
         folder = self.document.path.parent
         return any(os.path.exists(folder / place / self.uri) for place in _TEXTURE_FOLDERS)
+
+    @property
+    def _is_in_mesh_folder(self) -> bool:
+        """MuJoCo looks for the bare name of a mesh in the folder that a robot names for that."""
+        root = self.document.root
+        settings = root.find("mujoco") if root is not None and self.what == "mesh" else None
+        compiler = settings.find("compiler") if settings is not None else None
+        if compiler is None or "meshdir" not in compiler.attributes:
+            return False
+        folder = self.document.path.parent / compiler.attributes["meshdir"]
+        return os.path.exists(folder / os.path.basename(self.uri))
 
 
 def _own_package(document: Document) -> tuple[str, str] | None:

@@ -51,6 +51,8 @@ _USES = {
     ("ros2_control", "joint"): ("name", "joint"),
 }
 """An element of a robot and one in it: the attribute that names a part, and the kind of that."""
+_WHOLES = ("actor", "include", "light", "model", "world")
+"""What SDFormat has in its root."""
 _ABOUT_LINKS = frozenset({"gazebo", "material", "ros2_control", "transmission"})
 
 
@@ -82,8 +84,13 @@ def is_fragment(document: Document) -> bool:
 
 
 def lacks_parts(document: Document) -> bool:
-    """Whether a robot names links, joints or materials that it does not have itself, or has links without joints."""
+    """Whether a robot names links, joints or materials that it does not have itself, or has links without joints.
+
+    SDFormat lacks them if it holds nothing of a root: the settings of a world, the shapes of a link.
+    """
     root = document.root
+    if root is not None and root.name == "sdf" and any(root.children()):
+        return not any(map(root.has, _WHOLES))
     if root is None or document.kind is not Kind.URDF:
         return False
     own = {kind: {part.text_of("name") for part in root.children(kind)} for kind in ("link", "joint")}

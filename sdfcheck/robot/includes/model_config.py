@@ -111,8 +111,8 @@ class ModelConfig:
         if self.element.name != "model":
             return (Misconfiguration(self.element, ConfigFault.NO_MODEL),)
         if not self.entries:
-            if self.name and any(self.document.path.parent.glob("*.world")):
-                return ()  # so that addresses lead to the files of a world
+            if self.name and _is_of_files(self.document.path.parent):
+                return ()  # so that addresses lead to the files of a world, or to meshes
             fault = ConfigFault.NO_FILE if self.name else ConfigFault.NO_NAME_NO_FILE
             return (Misconfiguration(self.element, fault),)
         found = []
@@ -214,6 +214,17 @@ def _template(folder: Path, name: str) -> str | None:
             return stem + suffix
     is_described = any(file.lower().endswith(_DESCRIPTIONS) for file in files)
     return _BUILD if _BUILD in files and not is_described else None
+
+
+def _is_of_files(folder: Path) -> bool:
+    """Does a folder hold a world, or meshes for other models and no description?"""
+    try:
+        files = os.listdir(folder)
+    except OSError:
+        return False
+    is_described = any(file.lower().endswith(_DESCRIPTIONS) for file in files)
+    has_world = any(file.endswith(".world") for file in files)
+    return has_world or ("meshes" in files and not is_described)
 
 
 def _version(entry: Element) -> tuple[int, int] | None:

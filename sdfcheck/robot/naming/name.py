@@ -98,15 +98,17 @@ def mirrored(name: str) -> str:
     """The name on the other side: left for right; the same where it has no such word, or words for both sides.
 
     The left finger of the right hand is that of a copy, or of a mirror image. Single letters count at the
-    beginning, for elsewhere they may count through the alphabet.
+    beginning and right after another such word, for elsewhere they may count through the alphabet.
     """
-    sides = set[bool]()
+    sides, after = set[bool](), 0
 
     def other(found: re.Match[str]) -> str:
+        nonlocal after
         word = found[0]
         meant = _WORDS.get(word.lower())
-        if meant is None or (len(word) == 1 and found.start()):
+        if meant is None or (len(word) == 1 and found.start() != after):
             return word
+        after = found.end() + 1
         sides.add(word.lower() in _MIRRORED)
         return _like(word, meant)
 

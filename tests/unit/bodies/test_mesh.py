@@ -210,6 +210,11 @@ def test_faults(tmp_path: Path, name: str, content: bytes, fault: str) -> None:
     assert fault in mesh.fault
 
 
+def test_ids_with_brackets_are_read_as_consumers_read_them(tmp_path: Path) -> None:
+    content = collada().replace(b'id="n"', b'id="<n>"')
+    assert read_mesh(written(tmp_path, "a.dae", content)).bounds == WEDGE
+
+
 def test_the_content_says_what_a_file_is_not_its_ending(tmp_path: Path) -> None:
     assert read_mesh(written(tmp_path, "a.stl", collada())).format == "COLLADA"
     assert read_mesh(written(tmp_path, "a.dae", binary_stl())).format == "STL"
@@ -243,7 +248,7 @@ def test_measurements_are_kept_until_the_file_changes(tmp_path: Path, cache: Pat
     assert len(list(cache.iterdir())) == 1
 
 
-@pytest.mark.parametrize("rubbish", [b"", b"\xff", b"[1]", b'["x"]', b'{"edition": 4, "rows": {"a.stl": 1}}'])
+@pytest.mark.parametrize("rubbish", [b"", b"\xff", b"[1]", b'["x"]', b'{"edition": 5, "rows": {"a.stl": 1}}'])
 def test_a_broken_cache_does_not_matter(tmp_path: Path, cache: Path, rubbish: bytes) -> None:
     path = written(tmp_path, "a.stl", binary_stl())
     mesh_at(path)

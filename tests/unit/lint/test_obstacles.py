@@ -6,12 +6,15 @@ from pathlib import Path
 
 import pytest
 
+import sdfcheck
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.targets import OWN_CONSUMER, obstacles, own_consumer
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source
+
+WELDED = "<link name='a'/><joint name='a' type='fixed'><parent link='world'/><child link='a'/></joint>"
 
 
 def stops(
@@ -59,7 +62,20 @@ def test_warnings_and_what_is_elsewhere_do_not_stop() -> None:
         ("<robot name='r'/>", Consumer.URDFDOM),
         ("<robot name='r' xmlns:drake='d'><drake:joint name='j' type='ball'/></robot>", Consumer.DRAKE),
         ("<sdf version='1.9'><drake:joint name='j' type='ball'/></sdf>", Consumer.GAZEBO),
+        (f"<robot name='r'>{WELDED}</robot>", Consumer.URDFDOM),
+        (f"<robot name='r' xmlns:drake='d'>{WELDED}</robot>", Consumer.DRAKE),
+        (f"<robot name='r'>{WELDED}<transmission type='SimpleTransmission'/></robot>", Consumer.DRAKE),
+        (f"<robot name='r' xmlns:drake='d'><link name='world'/>{WELDED}</robot>", Consumer.URDFDOM),
     ],
 )
-def test_a_robot_with_joints_of_drake_is_for_drake(text: str, consumer: Consumer) -> None:
+def test_a_robot_that_only_drake_can_build_is_for_drake(text: str, consumer: Consumer) -> None:
     assert own_consumer(read(text.encode(), Path("r"))) is consumer
+
+
+def test_errors_of_others_are_warnings_in_a_robot_for_drake() -> None:
+    def found(start: str) -> list[tuple[str, str]]:
+        run = sdfcheck.lint(start + WELDED + "</robot>", isolated=True, select=["JNT001", "NAM002"])
+        return sorted((each.code, each.severity.value) for each in run.diagnostics)
+
+    assert found("<robot name='r'>") == [("JNT001", "error"), ("NAM002", "error")]
+    assert found("<robot name='r' xmlns:drake='d'>") == [("JNT001", "warning"), ("NAM002", "warning")]

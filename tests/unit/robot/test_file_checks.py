@@ -116,6 +116,15 @@ def test_urdf(tmp_path: Path) -> None:
     ]
 
 
+def test_a_robot_names_the_folder_of_its_meshes_for_mujoco(tmp_path: Path) -> None:
+    setting = '<mujoco><compiler meshdir="meshes"/></mujoco>'
+    visual = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
+    visuals = visual.format("arm.dae") + visual.format("leg.dae")
+    write(tmp_path, {**FILES, "r.urdf": f'<robot name="r">{setting}<link name="l">{visuals}</link></robot>'})
+    found = [each.message for each in reported(opened(tmp_path / "r.urdf")) if each.code == "RES001"]
+    assert found == ["mesh `leg.dae` does not exist"]
+
+
 def test_resources_know_what_they_are_and_where_they_lead(tmp_path: Path) -> None:
     write(tmp_path, FILES)
     material = "<material><pbr><metal><albedo_map>no.png</albedo_map></metal></pbr></material>"

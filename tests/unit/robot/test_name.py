@@ -18,6 +18,9 @@ from sdfcheck.robot.naming.name import mirrored
         ("arm_l", "arm_l"),
         ("base", "base"),
         ("right_left_finger", "right_left_finger"),
+        ("l_r_bar", "l_r_bar"),
+        ("r_r_bar", "l_l_bar"),
+        ("l_arm_r", "r_arm_r"),
     ],
 )
 def test_the_name_on_the_other_side(name: str, other: str) -> None:

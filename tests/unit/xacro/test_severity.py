@@ -49,6 +49,24 @@ def test_it_is_an_error_only_if_xacro_stops(folder: Path, content: str, expected
     assert found(folder, content) == expected
 
 
+def test_another_argument_may_bring_the_plugin_of_the_hardware(folder: Path) -> None:
+    text = (
+        '<xacro:arg name="sim" default="false"/><link name="a"/><ros2_control name="c" type="system"><hardware>'
+        '<xacro:if value="$(arg sim)">{}</xacro:if></hardware></ros2_control>'
+    )
+    assert found(folder, text.format("<plugin>a/B</plugin>")) == [("R2C007", "warning")]
+    assert ("R2C007", "error") in found(folder, text.format("<group>a</group>"))
+
+
+def test_settings_of_a_world_are_a_part_of_the_file_that_includes_them(folder: Path) -> None:
+    sdf = f'<sdf version="1.9" {XACRO}>{{}}</sdf>'
+    (folder / "physics.xacro").write_text(sdf.format("<gravity>0 0 -9</gravity>"))
+    assert found(folder, name="physics.xacro") == [("SCH003", "error")]
+    world = sdf.format('<world name="w"><xacro:include filename="physics.xacro"/></world>')
+    (folder / "w.world.xacro").write_text(world)
+    assert found(folder, name="physics.xacro") == []
+
+
 def test_a_path_from_another_folder_is_for_another_program(folder: Path) -> None:
     (folder / "urdf").mkdir()
     (folder / "urdf" / "part.xacro").write_text(PART.format(""))
