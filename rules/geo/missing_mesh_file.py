@@ -59,16 +59,18 @@ class MissingMeshFile(Rule):
         return bool(lost(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
-        for uri, visuals in lost(model).items():
-            geometry, (first, *others) = visuals[0].geometry, visuals[0].geometry.missing_files
+        for (first, *others), visuals in lost(model).items():
+            geometry, meshes = visuals[0].geometry, {visual.geometry.uri for visual in visuals}
             more = f" (and {len(others)} more)" if others else ""
-            message = f"the mesh `{uri.rpartition('/')[2]}` names `{first}`{more}, which is not there"
+            name, count = geometry.uri.rpartition("/")[2], len(meshes) - 1
+            which = f" and {count} other{'s' * (count > 1)} name" if count else " names"
+            message = f"the mesh `{name}`{which} `{first}`{more}, which is not there"
             yield self.diagnostic(geometry.uri_value or geometry, message + used(len(visuals)))
 
 
-def lost(model: Model) -> dict[str, list[Visual]]:
-    """The meshes that name files in vain, with the visuals that have no other color."""
-    found: dict[str, list[Visual]] = {}
+def lost(model: Model) -> dict[tuple[str, ...], list[Visual]]:
+    """The files that meshes name in vain, with the visuals that have no other color."""
+    found: dict[tuple[str, ...], list[Visual]] = {}
     for link in model.links:
         for visual in link.visuals:
             if (
@@ -76,5 +78,5 @@ def lost(model: Model) -> dict[str, list[Visual]]:
                 and visual.geometry.shape == "mesh"
                 and visual.geometry.missing_files
             ):
-                found.setdefault(visual.geometry.uri, []).append(visual)
+                found.setdefault(tuple(visual.geometry.missing_files), []).append(visual)
     return found

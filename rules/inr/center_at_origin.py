@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck_rules.inr.moments import and_others, is_first
 from sdfcheck_rules.inr.places import is_off_origin, place_of
 
 MASS = "<mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
@@ -62,7 +63,7 @@ class CenterAtOrigin(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_off_origin(inertial)
+        return is_first(inertial, is_off_origin)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         box = inertial.link.extent
@@ -74,6 +75,6 @@ class CenterAtOrigin(Rule):
         yield self.diagnostic(
             place or inertial,
             f"the center of mass is at the origin of {inertial.link.title}{why}"
-            f" and the middle of its shapes at {middle}",
+            f" and the middle of its shapes at {middle}{and_others(inertial, is_off_origin)}",
             labels={inertial.link.shapes[0]: "the first of its shapes"},
         )

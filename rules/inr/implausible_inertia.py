@@ -2,7 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.excess_density import is_too_dense
-from sdfcheck_rules.inr.moments import MARK, is_far_off, is_unit, ratio
+from sdfcheck_rules.inr.moments import MARK, and_others, is_far_off, is_first, is_unit, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -58,15 +58,20 @@ class ImplausibleInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if not is_far_off(inertial) or inertial.inertia is None or is_unit(inertial):
-            return False
-        if ratio(inertial) > 1:
-            return True
-        # else the mass may be wrong, which another rule says
-        return inertial.mass.number > MARK and not is_too_dense(inertial)
+        return is_first(inertial, is_implausible)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"
+        message += and_others(inertial, is_implausible)
         compared = (inertial.link.solids or inertial.link.shapes)[0]
         labels = {inertial.link: "this link", compared: "compared with this shape"}
         yield self.diagnostic(inertial.moments_element, message, labels=labels)
+
+
+def is_implausible(inertial: Inertial) -> bool:
+    if not is_far_off(inertial) or inertial.inertia is None or is_unit(inertial):
+        return False
+    if ratio(inertial) > 1:
+        return True
+    # else the mass may be wrong, which another rule says
+    return inertial.mass.number > MARK and not is_too_dense(inertial)

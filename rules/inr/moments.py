@@ -8,6 +8,7 @@ are compared, which no rotation changes.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 
 from sdfcheck import Consumer, Inertial, Reaction, accepts
 
@@ -122,6 +123,25 @@ def is_far_off(inertial: Inertial) -> bool:
         return False
     found = ratio(inertial)
     return (found < 1 / _FACTOR or found > _FACTOR) and not is_about_origin(inertial)
+
+
+def copies(inertial: Inertial, applies: Callable[[Inertial], bool]) -> Iterator[Inertial]:
+    """The inertials of its robot with its moments of which the same is to say, in the order of the file."""
+    link = inertial.link
+    is_in_robot = link.holder is not None and link.holder.kind == "model"
+    alike = link.model.by_moments.get(inertial.tensor, ()) if is_in_robot else (inertial,)
+    return (each for each in alike if each.document is inertial.document and applies(each))
+
+
+def is_first(inertial: Inertial, applies: Callable[[Inertial], bool]) -> bool:
+    """Does something hold of it, and of none before it with the same moments? One number is written in many links."""
+    return applies(inertial) and next(copies(inertial, applies), inertial) is inertial
+
+
+def and_others(inertial: Inertial, applies: Callable[[Inertial], bool]) -> str:
+    """Of how many other links with its moments the same is to say, for the end of a message; nothing for none."""
+    count = sum(1 for _ in copies(inertial, applies)) - 1
+    return f"; so it is in {count} other link{'s' * (count > 1)} with these moments" if count > 0 else ""
 
 
 def is_about_origin(inertial: Inertial) -> bool:

@@ -1,8 +1,13 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
-from sdfcheck_rules.inr.moments import is_far_off, is_too_large, is_unit, most, ratio
+from sdfcheck_rules.inr.moments import and_others, is_far_off, is_first, is_too_large, is_unit, most, ratio
 from sdfcheck_rules.inr.ratios import times
+
+UNIT = (
+    '<inertial><mass value="0.1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+    '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
+)
 
 
 class PlaceholderInertia(Rule):
@@ -41,6 +46,13 @@ class PlaceholderInertia(Rule):
             '<collision name="c"><geometry><box><size>0.5 0.4 0.2</size></box></geometry></collision>',
             says="too large: 14 kg within this link's shapes have 0.7 kg·m² about x at most",
         ),
+        Bad(
+            f'<robot name="r"><link name="a">{UNIT.replace("inertia ", "«inertia» ")}</link>'
+            f'<link name="b">{UNIT}</link>'
+            '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>',
+            scaffold="",
+            says="; so it is in 1 other link with these moments",
+        ),
     )
     good = (
         Good(
@@ -52,9 +64,7 @@ class PlaceholderInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        if is_far_off(inertial):
-            return is_unit(inertial)
-        return inertial.mass.number != 1 and is_unit(inertial) and is_too_large(inertial)
+        return is_first(inertial, is_placeholder)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         is_written, mass = inertial.inertia is not None, inertial.mass.number
@@ -64,4 +74,11 @@ class PlaceholderInertia(Rule):
             least, axis = min(zip(most(inertial), "xyz", strict=True))
             shapes = f"{mass:.6g} kg within this link's shapes"
             message = f"{how} is too large: {shapes} have {least:.2g} kg·m² about {axis} at most"
+        message += and_others(inertial, is_placeholder)
         yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})
+
+
+def is_placeholder(inertial: Inertial) -> bool:
+    if is_far_off(inertial):
+        return is_unit(inertial)
+    return inertial.mass.number != 1 and is_unit(inertial) and is_too_large(inertial)

@@ -12,10 +12,13 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
+    named,
     refuses,
 )
 from sdfcheck_rules.nam.taken import is_free, is_reserved
 
+SHOWN = 3
+"""Names that a message lists."""
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 ASIDE = {
     Consumer.GAZEBO: refuses("its checker refuses the file; simulators read it"),
@@ -64,6 +67,13 @@ class ClashingName(Rule):
             scaffold="",
             says="joint `b` has the name of a link in robot `r`",
         ),
+        Bad(
+            '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
+            '<joint name="«b»" type="fixed"><parent link="a"/><child link="b"/></joint>'
+            '<joint name="c" type="fixed"><parent link="a"/><child link="c"/></joint></robot>',
+            scaffold="",
+            says="joint `b` has the name of a link in robot `r`, and so have `c`",
+        ),
     )
     good = (
         Good(
@@ -90,13 +100,20 @@ class ClashingName(Rule):
         return any(True for _ in clashes(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
+        alike: dict[tuple[object, ...], list[tuple[Name, Name]]] = {}
         for first, later in clashes(root):
+            key = first.kind, later.kind, later.parent, first.makes_frame, later.makes_frame, later.is_merged
+            alike.setdefault(key, []).append((first, later))
+        for (first, later), *others in alike.values():
             is_custom = ":" in first.kind or ":" in later.kind
             makes_frame = (first.makes_frame or later.makes_frame) and not is_custom
             # A merged include comes from a time in which nothing is renamed.
             is_renamed = first.makes_frame and later.makes_frame and not later.is_merged
             is_renamed = is_renamed and root.is_older_than("1.7")
             message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"
+            if others:
+                names = named((later.name for _, later in others), most=SHOWN)
+                message += f", and so have {names}"
             affects = {} if makes_frame else ASIDE
             if is_renamed:
                 affects = {Consumer.GAZEBO: refuses("its checker refuses the file; simulators rename it")}

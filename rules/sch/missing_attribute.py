@@ -17,9 +17,11 @@ from sdfcheck import (
     lacking,
     problems,
     rewrite,
+    used,
     warns,
 )
 
+BALL = '<geometry><sphere radius="1"/></geometry>'
 MOMENTS = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
 
 VALUES = frozenset(
@@ -59,6 +61,11 @@ class MissingAttribute(Rule):
     bad = (
         Bad('<«sensor» name="s"/>', says="sensor `s` has no `type`"),
         Bad('<sensor name="s" «type»=""/>', says="`type` of sensor `s` is empty"),
+        Bad(
+            f"<visual>{BALL}<«material»/></visual><visual>{BALL}<material/></visual>",
+            scaffold=IN_URDF_LINK,
+            says="`material` (used 2 times) has no `name`",
+        ),
         Bad("<«link»/>", scaffold=IN_MODEL, says="`link` has no `name`"),
         Bad(
             f"<inertial><«mass»>2</mass>{MOMENTS}</inertial>",
@@ -119,9 +126,8 @@ class MissingAttribute(Rule):
         element, name = problem.element, problem.attribute
         if element.name == "plugin" and not is_parameter(element):
             return  # missing-plugin-attribute looks at those that are there
-        message = (
-            f"`{name}` of {element.title} is empty" if problem.empty else f"{element.title} has no `{name}`"
-        )
+        title = element.title + used(1 + len(problem.others))
+        message = f"`{name}` of {title} is empty" if problem.empty else f"{title} has no `{name}`"
         value, fix = element.attribute(name), None
         target = element.span if value is None else value.name_span
         if problem.elements:

@@ -11,6 +11,7 @@ from sdfcheck import (
     TextEdit,
     lacking,
     make_fix,
+    named,
     problems,
     used,
 )
@@ -48,6 +49,10 @@ class UnknownUrdfAttribute(Rule):
             says="did you mean `radius`?",
         ),
         Bad('<visual><geometry «lod»="1"><sphere radius="1"/></geometry></visual>'),
+        Bad(
+            '<visual><geometry «lod»="1" part="2"><sphere radius="1"/></geometry></visual>',
+            says="unknown attributes `lod` and `part` of `geometry`",
+        ),
     )
     good = (
         Good(
@@ -62,9 +67,11 @@ class UnknownUrdfAttribute(Rule):
 
     def check(self, problem: problems.UnknownUrdfAttribute) -> Iterator[Diagnostic]:
         value, near = problem.value, problem.suggestion
-        message = f"unknown attribute `{value.attribute}` of {value.element.title}"
-        if problem.more:
-            message += f", and {problem.more} more"
+        names = [value.attribute or "", *(other.attribute or "" for other in problem.others)]
+        noun = "attributes" if problem.others else "attribute"
+        message = f"unknown {noun} {named(names)} of {value.element.title}"
+        if problem.more > len(problem.others):
+            message += f", and {problem.more - len(problem.others)} more"
         if near is not None:
             message += f"; did you mean `{near}`?"
         severity = Severity.ERROR if problem.needed else None

@@ -17,6 +17,7 @@ from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.problems import (
     DeprecatedElement,
     MalformedValue,
+    MissingAttribute,
     MissingElement,
     RemovedElement,
     RepeatedElement,
@@ -147,14 +148,14 @@ class Findings(ABC):
 
 
 def folded(found: list[object]) -> list[object]:
-    """The problems, with one for all repeats of an element, and one for all uses of a removed name."""
+    """The problems, with one for all repeats of an element, for all uses of a removed name, and for one attribute."""
     alike: dict[Hashable, list[Element]] = {}
     first_of_kind: list[object] = []
     for problem in found:
         if (kind := _kind(problem)) is None:
             first_of_kind.append(problem)
             continue
-        assert isinstance(problem, RepeatedElement | RemovedElement)
+        assert isinstance(problem, _Foldable)
         if kind not in alike:
             first_of_kind.append(problem)
         alike.setdefault(kind, []).append(problem.element)
@@ -255,19 +256,25 @@ def counted(found: list[object], strange: Counter[Element]) -> list[object]:
     return result
 
 
+_Foldable = RepeatedElement | RemovedElement | MissingAttribute
+
+
 def _kind(problem: object) -> Hashable:
     """The common part of like problems; None for one that is reported alone."""
     if isinstance(problem, RepeatedElement) and not problem.refused:
         return problem.first
     if isinstance(problem, RemovedElement):
         return problem.element.name, problem.parent.name, problem.attribute
+    if isinstance(problem, MissingAttribute) and not problem.elements and not problem.element.content:
+        element, parent = problem.element, problem.element.parent
+        return element.title, parent and parent.name, problem.attribute, problem.empty
     return None
 
 
 def _with_others(problem: object, alike: dict[Hashable, list[Element]]) -> object:
     kind = _kind(problem)
     others = tuple(alike[kind][1:]) if kind is not None else ()
-    if others and isinstance(problem, RepeatedElement | RemovedElement):
+    if others and isinstance(problem, _Foldable):
         return problem.changed(others=others)
     return problem
 

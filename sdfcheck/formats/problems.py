@@ -134,6 +134,7 @@ class MissingAttribute(Record):
 
     ``until`` is the last version that requires it, where the newest one does not; then
     only consumers of that time refuse the file. ``elements``: it is written as an element, and so are all these.
+    ``others`` are elements of its name without it, in parents of one name.
     """
 
     element: Element
@@ -141,6 +142,7 @@ class MissingAttribute(Record):
     empty: bool
     until: Version | None = None
     elements: tuple[Element, ...] = ()
+    others: tuple[Element, ...] = ()
 
 
 class EmptyName(Record):
@@ -274,7 +276,8 @@ class UnknownUrdfElement(Record):
 class UnknownUrdfAttribute(Record):
     """An attribute that no consumer of URDF looks for; ``needed`` and ``uses`` as there.
 
-    ``more``: so many others of the element are unknown, of which only some are reported.
+    ``others`` are unknown attributes of the same elements, ``more``: so many others of the element
+    are unknown, of which only some are reported.
     """
 
     value: Value
@@ -282,6 +285,7 @@ class UnknownUrdfAttribute(Record):
     uses: tuple[Value, ...]
     needed: bool
     more: int = 0
+    others: tuple[Value, ...] = ()
 
 
 class FeatureAboveVersion(Record):

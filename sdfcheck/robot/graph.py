@@ -2862,6 +2862,14 @@ class Scope(Namespace):
         return cast("tuple[Link, ...]", self._members("link"))
 
     @lazy
+    def by_moments(self) -> Mapping[Moments, list[Inertial]]:
+        """The masses of the links directly in it, in the order of the file, by their moments."""
+        found: dict[Moments, list[Inertial]] = {}
+        for link in self.links:
+            found.setdefault(link.inertial.tensor, []).append(link.inertial)
+        return found
+
+    @lazy
     def has_collisions(self) -> bool:
         """Does one of the links directly in it have a collision?"""
         return any(link.collisions for link in self.links)

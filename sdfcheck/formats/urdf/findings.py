@@ -384,6 +384,7 @@ class UrdfFindings(Findings):
                     uses[0], parent, near, places, tuple(uses), needed, is_color=key == _COLOR
                 )
             )
+        alike: dict[object, list[problems.UnknownUrdfAttribute]] = {}
         for values in self.unknown_values.values():
             element, name = values[0].element, values[0].attribute
             assert name is not None
@@ -394,7 +395,11 @@ class UrdfFindings(Findings):
                 needed = near is not None and not {"damping", "friction"} & element.attributes.keys()
             count = self.strange.pop(element, 0)
             more = count - 1 if count > MOST else 0
-            self.found.append(problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more))
+            found = problems.UnknownUrdfAttribute(values[0], near, tuple(values), needed, more)
+            kind: object = name if near is not None else tuple(value.element for value in values)
+            alike.setdefault(kind, []).append(found)
+        for first, *others in alike.values():
+            self.found.append(first.changed(others=tuple(each.value for each in others)))
         for (tag, attribute, since), newer in self.uses_too_new.items():
             what, version = attribute or tag, str(self.version)
             self.found.append(problems.FeatureAboveVersion(newer[0], what, since, version, len(newer)))

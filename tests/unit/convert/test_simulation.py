@@ -224,6 +224,31 @@ def test_joints_of_both_sides_meet_the_body(
     assert any("with the opposite axis" in one["message"] for one in found) is turns
 
 
+@pytest.mark.parametrize(("count", "severity"), [(1, "warning"), (4, "info")], ids=["near", "far"])
+def test_a_part_many_joints_away_may_be_elsewhere(
+    count: int, severity: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A lift beside a block lets a tool down into it, which hangs on more joints."""
+    links = [f'<link name="l{n}">{inertial(1, 0.01)}{box(".02 .02 .02")}</link>' for n in range(count)]
+    links.append(
+        f'<link name="l{count}">{inertial(1, 0.01)}{box(".05 .05 .05", f"-0.5 0 {-0.074 - 0.05 * count}")}</link>'
+    )
+    joints = [
+        f"""<joint name="j{n}" type="revolute"><origin xyz="0 0 0.05"/><parent link="l{n}"/><child link="l{n + 1}"/>
+<axis xyz="0 0 1"/>{limit(-0.01, 0.01)}</joint>"""
+        for n in range(count)
+    ]
+    lift = (
+        '<joint name="lift" type="prismatic"><origin xyz="0.5 0 0.2"/><parent link="base"/><child link="l0"/>'
+        f'<axis xyz="0 0 1"/>{limit(-0.018, 0)}</joint>'
+    )
+    base = f'<link name="base">{inertial(5, 0.05)}{box(".2 .2 .2")}</link>'
+    text = f'<robot name="r">{base}{"".join(links)}{lift}{"".join(joints)}</robot>'
+    (found,) = [one for one in findings(text, Engine.MUJOCO, tmp_path, capsys) if one["code"] == "SIM007"]
+    assert "joint `lift` moves link `" in found["message"]
+    assert found["severity"] == severity
+
+
 def test_joints_that_follow_others_move_with_them(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     fingers = "".join(
         f"""<link name="{name}">{inertial(0.1, 0.0001)}{box(".02 .04 .1")}</link>
