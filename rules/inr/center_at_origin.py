@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
-from sdfcheck_rules.inr.moments import and_others, is_first
+from sdfcheck_rules.inr.moments import is_first, others
 from sdfcheck_rules.inr.places import is_off_origin, place_of
 
 MASS = "<mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
@@ -72,9 +72,10 @@ class CenterAtOrigin(Rule):
         what = "origin" if inertial.is_urdf else "pose"
         place = place_of(inertial)
         why = "" if place is not None else f", as no {what} is written,"
+        more, same = others(inertial, is_off_origin)
         yield self.diagnostic(
             place or inertial,
             f"the center of mass is at the origin of {inertial.link.title}{why}"
-            f" and the middle of its shapes at {middle}{and_others(inertial, is_off_origin)}",
-            labels={inertial.link.shapes[0]: "the first of its shapes"},
+            f" and the middle of its shapes at {middle}{more}",
+            labels={inertial.link.shapes[0]: "the first of its shapes", **same},
         )

@@ -1,8 +1,8 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
+from sdfcheck import IN_LINK, Bad, Diagnostic, Element, Good, Inertial, Part, Rule, Severity
 from sdfcheck_rules.inr.excess_density import is_too_dense
-from sdfcheck_rules.inr.moments import MARK, and_others, is_far_off, is_first, is_unit, ratio
+from sdfcheck_rules.inr.moments import MARK, is_far_off, is_first, is_unit, others, ratio
 from sdfcheck_rules.inr.ratios import times
 
 
@@ -62,10 +62,10 @@ class ImplausibleInertia(Rule):
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         message = f"the inertia is {times(ratio(inertial))} that of a solid of this mass in the link's shapes"
-        message += and_others(inertial, is_implausible)
+        more, same = others(inertial, is_implausible)
         compared = (inertial.link.solids or inertial.link.shapes)[0]
-        labels = {inertial.link: "this link", compared: "compared with this shape"}
-        yield self.diagnostic(inertial.moments_element, message, labels=labels)
+        labels: dict[Part | Element, str] = {inertial.link: "this link", compared: "compared with this shape"}
+        yield self.diagnostic(inertial.moments_element, message + more, labels={**labels, **same})
 
 
 def is_implausible(inertial: Inertial) -> bool:

@@ -10,12 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from sdfcheck import Consumer, Inertial, Reaction, accepts
+from sdfcheck import Consumer, Element, Inertial, Reaction, accepts
 
 _LITTLE, _EXACTLY = 2.0, 0.05
 """Of 1,920 solids in public robots none was twice its moments and, about the origin, within 5 % of them."""
 MARK = 1e-3
 """kg: links that are not heavier mark places; their place and their moments, unless large, make no difference."""
+_SHOWN = 3
+"""Of other places, so many are marked."""
 _FACTOR = 100.0
 """More than this off a solid of the same mass and shape is not a modeling choice any more."""
 
@@ -129,7 +131,7 @@ def copies(inertial: Inertial, applies: Callable[[Inertial], bool]) -> Iterator[
     """The inertials of its robot with its moments of which the same is to say, in the order of the file."""
     link = inertial.link
     is_in_robot = link.holder is not None and link.holder.kind == "model"
-    alike = link.model.by_moments.get(inertial.tensor, ()) if is_in_robot else (inertial,)
+    alike = link.model.alike_inertials.get(link.element, [inertial]) if is_in_robot else [inertial]
     return (each for each in alike if each.document is inertial.document and applies(each))
 
 
@@ -138,10 +140,13 @@ def is_first(inertial: Inertial, applies: Callable[[Inertial], bool]) -> bool:
     return applies(inertial) and next(copies(inertial, applies), inertial) is inertial
 
 
-def and_others(inertial: Inertial, applies: Callable[[Inertial], bool]) -> str:
-    """Of how many other links with its moments the same is to say, for the end of a message; nothing for none."""
-    count = sum(1 for _ in copies(inertial, applies)) - 1
-    return f"; so it is in {count} other link{'s' * (count > 1)} with these moments" if count > 0 else ""
+def others(inertial: Inertial, applies: Callable[[Inertial], bool]) -> tuple[str, dict[Element, str]]:
+    """What a message says of other links with its moments of which the same is to say, and labels at some of them."""
+    _, *found = copies(inertial, applies)
+    if not found:
+        return "", {}
+    words = f"; so it is in {len(found)} other link{'s' * (len(found) > 1)} with these moments"
+    return words, {each.moments_element: "the same" for each in found[:_SHOWN]}
 
 
 def is_about_origin(inertial: Inertial) -> bool:

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
-from sdfcheck_rules.inr.moments import and_others, is_far_off, is_first, is_too_large, is_unit, most, ratio
+from sdfcheck_rules.inr.moments import is_far_off, is_first, is_too_large, is_unit, most, others, ratio
 from sdfcheck_rules.inr.ratios import times
 
 UNIT = (
@@ -74,8 +74,10 @@ class PlaceholderInertia(Rule):
             least, axis = min(zip(most(inertial), "xyz", strict=True))
             shapes = f"{mass:.6g} kg within this link's shapes"
             message = f"{how} is too large: {shapes} have {least:.2g} kg·m² about {axis} at most"
-        message += and_others(inertial, is_placeholder)
-        yield self.diagnostic(inertial.moments_element, message, labels={inertial.link: "this link"})
+        more, labels = others(inertial, is_placeholder)
+        yield self.diagnostic(
+            inertial.moments_element, message + more, labels={inertial.link: "this link", **labels}
+        )
 
 
 def is_placeholder(inertial: Inertial) -> bool:

@@ -52,15 +52,6 @@ class MissingLimit(Rule):
         Bad('<«limit» lower="0" upper="1" velocity="1"/>', says="the limit of joint `j` has no `effort`"),
         Bad('<«limit» lower="0" upper="1"/>', says="has no `effort` and no `velocity`"),
         Bad('<«limit» effort="1" velocity="1"/>', says="so both are 0 and it cannot move"),
-        Bad(
-            '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
-            '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>'
-            '<«limit» effort="1" velocity="1"/></joint>'
-            '<joint name="k" type="revolute"><parent link="b"/><child link="c"/>'
-            '<limit effort="1" velocity="1"/></joint></robot>',
-            scaffold="",
-            says="cannot move; 1 other is like it",
-        ),
     )
     good = (
         Good('<limit upper="1" effort="1" velocity="1"/>', why="lower is 0"),
@@ -84,7 +75,7 @@ class MissingLimit(Rule):
             return False  # no joint at all, as missing-element says
         if part.kind == "joint":
             return not part.has("limit") and part.type in BOUNDED and part.lacks("limit")
-        return any(map(part.lacks, REQUIRED)) or is_first(joint)
+        return any(map(part.lacks, REQUIRED)) or is_locked(part)
 
     def check(self, part: Joint | Limit) -> Iterator[Diagnostic]:
         if isinstance(part, Joint):
@@ -95,26 +86,11 @@ class MissingLimit(Rule):
         if missing := [name for name in REQUIRED if part.lacks(name)]:
             lacks = listed(f"no `{name}`" for name in missing)
             yield self.diagnostic(part, f"the limit of {joint} has {lacks}")
-        if is_first(part.joint):
-            count = sum(1 for _ in locked(part.joint)) - 1
+        if is_locked(part):
             message = f"the limit of {joint} has no `lower` and no `upper`, so both are 0 and it cannot move"
-            if count:
-                message += f"; {count} other{'s are' if count > 1 else ' is'} like it"
             affects = dict.fromkeys((Consumer.GAZEBO, Consumer.URDFDOM), warns("locks the joint"))
             yield self.diagnostic(part, message, severity=Severity.WARNING, affects=affects)
 
 
-def is_first(joint: Joint) -> bool:
-    """Is it locked, and the first that is? Who leaves out bounds does so in each joint."""
-    return is_locked(joint) and next(locked(joint)) is joint
-
-
-def locked(joint: Joint) -> Iterator[Joint]:
-    """The joints of its robot whose limits have neither bound, in the order of the file."""
-    joints = [joint] if joint.model is None else joint.model.joints
-    return (each for each in joints if is_locked(each))
-
-
-def is_locked(joint: Joint) -> bool:
-    limit = joint.axis.limit
-    return joint.type in BOUNDED and joint.has("limit") and limit.lacks("lower") and limit.lacks("upper")
+def is_locked(limit: Limit) -> bool:
+    return limit.joint.type in BOUNDED and limit.lacks("lower") and limit.lacks("upper")

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck_rules.urd.colon_in_comment import is_description
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 JOINT = '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
@@ -10,13 +11,13 @@ class RootWithInertia(Rule):
     """The root link has mass, which KDL drops.
 
     robot_state_publisher and other users of KDL print a warning at every start, and what they
-    compute is without that mass. For simulators the robot is correct, and of 115 public ones that work 42 are so:
-    this is a hint.
+    compute is without that mass. For simulators the robot is correct. In a robot that does
+    not move, or shows nothing of ROS, this is a hint.
     """
 
     code = "URD008"
     name = "root-with-inertia"
-    severity = Severity.INFO
+    severity = Severity.WARNING
     remedy = """Put an empty link above the root, with a fixed joint between them.
 
     ```xml
@@ -53,4 +54,6 @@ class RootWithInertia(Rule):
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         message = f"root {link.title} has mass, which KDL drops"
-        yield self.diagnostic(link.inertial, message, labels={link: "the root"})
+        moves = any(joint.moves for joint in link.model.joints)
+        severity = None if moves and is_description(link.root) else Severity.INFO
+        yield self.diagnostic(link.inertial, message, labels={link: "the root"}, severity=severity)

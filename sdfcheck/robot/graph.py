@@ -2845,6 +2845,10 @@ def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
     return unlike if len(unlike) <= nameless + doubled else frozenset()
 
 
+MOST_ALIKE = 100
+"""Of links with the same moments, so many are looked at together."""
+
+
 class Scope(Namespace):
     """A model or a world.
 
@@ -2862,11 +2866,19 @@ class Scope(Namespace):
         return cast("tuple[Link, ...]", self._members("link"))
 
     @lazy
-    def by_moments(self) -> Mapping[Moments, list[Inertial]]:
-        """The masses of the links directly in it, in the order of the file, by their moments."""
-        found: dict[Moments, list[Inertial]] = {}
+    def alike_inertials(self) -> Mapping[Element, list[Inertial]]:
+        """The links directly in it → the masses of those with the same moments, in the order of the file.
+
+        Of more than MOST_ALIKE the next ones are lists of their own.
+        """
+        found: dict[Element, list[Inertial]] = {}
+        last: dict[object, list[Inertial]] = {}
         for link in self.links:
-            found.setdefault(link.inertial.tensor, []).append(link.inertial)
+            moments = link.inertial.tensor
+            if len(last.get(moments, ())) in {0, MOST_ALIKE}:
+                last[moments] = []
+            last[moments].append(link.inertial)
+            found[link.element] = last[moments]
         return found
 
     @lazy
