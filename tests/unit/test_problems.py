@@ -953,7 +953,6 @@ PROBLEMS = {
         ),
         "0 0 0",
         "1.5708 0 0",
-        3,
     ),
     "a collision stays where the visual was": Problem(
         "GEO003",
