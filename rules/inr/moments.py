@@ -141,7 +141,7 @@ def is_first(inertial: Inertial, applies: Callable[[Inertial], bool]) -> bool:
 
 
 def others(inertial: Inertial, applies: Callable[[Inertial], bool]) -> tuple[str, dict[Element, str]]:
-    """What a message says of other links with its moments of which the same is to say, and labels at some of them."""
+    """The other links with its moments of which the same is to say: words for a message, and labels at some of them."""
     _, *found = copies(inertial, applies)
     if not found:
         return "", {}
