@@ -85,7 +85,8 @@ class UnknownJointEnd(Rule):
             says="child `arm` of joint `j` does not exist",
         ),
         Bad(
-            '<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="arm"/>'
+            '<robot name="r" xmlns:drake="http://drake.mit.edu"><link name="arm"><collision><geometry>'
+            '<sphere radius="1"/></geometry><drake:proximity_properties/></collision></link>'
             '<joint name="j" type="fixed"><parent link="«world»"/><child link="arm"/></joint></robot>',
             scaffold="{}",
             says="parent `world` of joint `j` does not exist",
