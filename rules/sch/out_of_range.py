@@ -9,6 +9,7 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Document,
     Element,
     Good,
     Rule,
@@ -124,11 +125,14 @@ class OutOfRange(Rule):
 def _is_lost(element: Element) -> bool:
     """Is it in a block about the visual of a link that has none? Nobody reads it."""
     around = {each.name: each for each in element.around}
-    block, root = around.get("gazebo"), element.document.root
-    if block is None or root is None or "visual" not in around:
-        return False
-    links = [link for link in root.children("link") if link.text_of("name") == block.text_of("reference")]
-    return bool(links) and not any(link.has("visual") for link in links)
+    block = around.get("gazebo") if "visual" in around else None
+    return block is not None and block.text_of("reference") in element.document.view(unseen_links)
+
+
+def unseen_links(document: Document) -> frozenset[str | None]:
+    """The names of the links that have no visual."""
+    links = document.root.children("link") if document.root is not None else ()
+    return frozenset(link.text_of("name") for link in links if not link.has("visual"))
 
 
 def _is_moment(problem: problems.ValueOutOfRange) -> bool:
