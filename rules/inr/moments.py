@@ -145,7 +145,7 @@ def others(inertial: Inertial, applies: Callable[[Inertial], bool]) -> tuple[str
     _, *found = copies(inertial, applies)
     if not found:
         return "", {}
-    words = f"; so it is in {len(found)} other link{'s' * (len(found) > 1)} with these moments"
+    words = f"; the same holds for {len(found)} more link{'s' * (len(found) > 1)} with these moments"
     return words, {each.moments_element: "the same" for each in found[:_SHOWN]}
 
 

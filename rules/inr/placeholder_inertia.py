@@ -51,7 +51,7 @@ class PlaceholderInertia(Rule):
             f'<link name="b">{UNIT}</link>'
             '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>',
             scaffold="",
-            says="; so it is in 1 other link with these moments",
+            says="; the same holds for 1 more link with these moments",
         ),
     )
     good = (
