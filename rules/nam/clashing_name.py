@@ -18,7 +18,7 @@ from sdfcheck import (
 from sdfcheck_rules.nam.taken import is_free, is_reserved
 
 SHOWN = 3
-"""Names that a message lists."""
+"""Other names that a message lists, and labels mark."""
 BOX = "<geometry><box><size>1 1 1</size></box></geometry>"
 ASIDE = {
     Consumer.GAZEBO: refuses("its checker refuses the file; simulators read it"),
@@ -72,7 +72,7 @@ class ClashingName(Rule):
             '<joint name="«b»" type="fixed"><parent link="a"/><child link="b"/></joint>'
             '<joint name="c" type="fixed"><parent link="a"/><child link="c"/></joint></robot>',
             scaffold="",
-            says="joint `b` has the name of a link in robot `r`, and so have `c`",
+            says="joint `b` has the name of a link in robot `r`, and so has `c`",
         ),
     )
     good = (
@@ -113,7 +113,7 @@ class ClashingName(Rule):
             message = f"{later.kind} `{later.name}` has the name of a {first.kind} in {later.parent.title}"
             if others:
                 names = named((later.name for _, later in others), most=SHOWN)
-                message += f", and so have {names}"
+                message += f", and so {'have' if len(others) > 1 else 'has'} {names}"
             affects = {} if makes_frame else ASIDE
             if is_renamed:
                 affects = {Consumer.GAZEBO: refuses("its checker refuses the file; simulators rename it")}
@@ -121,7 +121,8 @@ class ClashingName(Rule):
             yield self.diagnostic(
                 later.value,
                 message,
-                labels={first.value: f"the {first.kind}"},
+                labels={first.value: f"the {first.kind}"}
+                | {each.value: "the same" for _, each in others[:SHOWN]},
                 severity=None if makes_frame and not is_renamed else Severity.WARNING,
                 affects=affects,
             )

@@ -310,16 +310,23 @@ def _xml(data: bytes) -> Any:
     return etree.fromstring(data, parser)
 
 
+_DEEPEST = 8
+"""So many elements up a geometry is looked for: an accessor is four below one."""
+
+
+def _geometry_around(element: Any) -> Any:
+    """The geometry that an element of COLLADA is in, which is a few elements up; None outside of one."""
+    around = islice(element.iterancestors(), _DEEPEST)
+    return next((each for each in around if each.tag.rpartition("}")[2] == "geometry"), None)
+
+
 class _Collada:
     """The geometries of a COLLADA file, and the nodes that place them."""
 
     def __init__(self, root: Any) -> None:
         self.root = root
-        self.named = {element.get("id"): element for element in root.iter() if element.get("id")}
-        geometries = self._all(root, "geometry")
-        self.own = {
-            (one, each.get("id")): each for one in geometries for each in one.iter() if each.get("id")
-        }
+        self.named = dict(self._with_ids(root))
+        self.own = {(_geometry_around(each), name): each for name, each in self._with_ids(root)}
         """By the geometry as well: in some files each uses the same ids, and means its own."""
         self.measured: dict[Any, tuple[Box | None, int]] = {}
         self.points: dict[Any, Points | None] = {}
@@ -444,8 +451,11 @@ class _Collada:
 
     def _target(self, element: Any, attribute: str = "url") -> Any:
         name = (element.get(attribute) or "").lstrip("#")
-        geometry = next(element.iterancestors("{*}geometry"), None)
-        return self.own.get((geometry, name), self.named.get(name))
+        return self.own.get((_geometry_around(element), name), self.named.get(name))
+
+    @staticmethod
+    def _with_ids(root: Any) -> Iterator[tuple[str, Any]]:
+        return ((element.get("id"), element) for element in root.iter() if element.get("id"))
 
     @staticmethod
     def _all(element: Any, name: str) -> Iterator[Any]:

@@ -363,8 +363,9 @@ def _truths_as_texts(code: str) -> Iterator[tuple[str, str, str]]:
         yield match["name"] or match["last"], match["text"] or match["first"], match[0]
     for match in _AMONG_TRUTHS.finditer(code):
         items = match["list"] or match["tuple"] or ""
+        bare = {item.strip() for item in items.split(",")}
         for quoted in _QUOTED_TRUTH.finditer(items):
-            if not re.search(rf"(?<!['\"]){quoted['text'].title()}(?!['\"])", items):
+            if quoted["text"].title() not in bare:
                 yield match["name"], quoted["text"], quoted[0]
                 break
 
