@@ -1,7 +1,22 @@
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, rename
+from sdfcheck import (
+    IN_MODEL,
+    Bad,
+    Diagnostic,
+    Element,
+    Fix,
+    Good,
+    Plugin,
+    Rule,
+    Severity,
+    make_fix,
+    named,
+    rename,
+)
 
+ROS_2 = {"package.xml": "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"}
+CAMERA = '<plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin>'
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 
 
@@ -9,7 +24,8 @@ class MisspelledPluginParameter(Rule):
     """A parameter is nearly, but not quite, one that the plugin reads, or one of another generation of Gazebo.
 
     Plugins ask for their parameters by name, and never say what they did not ask for: the default is
-    taken. Case counts.
+    taken. Case counts. In a package of ROS 2, plugins of Gazebo Classic are those of ROS 2, whose
+    parameters have other names than those of ROS 1: `frame_name`, not `frameName`.
     """
 
     code = "RES019"
@@ -44,21 +60,50 @@ class MisspelledPluginParameter(Rule):
             says="does not read `wheel_diameter`, which is a parameter of `gazebo_ros_diff_drive`",
             also=("RES021",),
         ),
+        Bad(
+            CAMERA.format("<«cameraName»>eye</cameraName><frameName>eye_link</frameName><Cx>0</Cx>"),
+            fixed=CAMERA.format("<camera_name>eye</camera_name><frame_name>eye_link</frame_name><Cx>0</Cx>"),
+            unsafe=True,
+            says="of ROS 2 does not read `cameraName` or `frameName`, as that of ROS 1 does; did you mean",
+            files=ROS_2,
+        ),
     )
     good = (
         Good(DRIVE.format("<topic>cmd_vel</topic>")),
         Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),
+        Good(CAMERA.format("<frame_name>eye_link</frame_name><focalLength>0</focalLength>"), files=ROS_2),
+        Good(
+            CAMERA.format("<frame_name>eye_link</frame_name><Cx>1</Cx><Cy>1</Cy>"),
+            why="nobody knows for which ROS",
+        ),
         Good(DRIVE.format("<comment>fast</comment>"), why="like nothing that it reads"),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return bool(plugin.misspelled_parameters or plugin.foreign_parameters)
+        return bool(plugin.misspelled_parameters or plugin.outdated_parameters or plugin.foreign_parameters)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`"
             yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))
+        for parameter, meant in plugin.outdated_parameters[:1]:
+            others = [each for each, _ in plugin.outdated_parameters[1:]]
+            names = named((each.name for each in (parameter, *others)), "or", most=3)
+            yield self.diagnostic(
+                parameter,
+                f"{plugin.title} of ROS 2 does not read {names}, as that of ROS 1 does",
+                meant=meant,
+                labels=dict.fromkeys(others, "the same"),
+                fix=renamed(plugin.outdated_parameters),
+            )
         for parameter, other in plugin.foreign_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`, which is a parameter of `{other}`"
             yield self.diagnostic(parameter, message)
+
+
+def renamed(parameters: Iterable[tuple[Element, str]]) -> Fix | None:
+    """The fix that gives parameters the names that they have today."""
+    fixes = [fix for parameter, name in parameters if (fix := rename(name, parameter)) is not None]
+    title = fixes[0].title if len(fixes) == 1 else "give them their names in ROS 2"
+    return make_fix(title, tuple(edit for fix in fixes for edit in fix.edits), unsafe=True)

@@ -1782,14 +1782,28 @@ class Plugin(Part):
 
     @lazy
     def known(self) -> PluginFacts | None:
-        """The facts about its library, in the generation that shares most parameters with it."""
+        """The facts about its library, in the generation that may load it and shares most parameters with it."""
+        given = {parameter.name for parameter in self.parameters} if len(self._possible) > 1 else set()
+        return max(self._possible, key=lambda facts: len(given & facts.parameters), default=None)
+
+    @lazy
+    def _generations(self) -> tuple[PluginFacts, ...]:
         if not self.filename:
-            return None
+            return ()
         from sdfcheck.formats.plugins import known
 
-        found = known(self.filename)
-        given = {parameter.name for parameter in self.parameters} if len(found) > 1 else set()
-        return max(found, key=lambda facts: len(given & facts.parameters), default=None)
+        return known(self.filename)
+
+    @lazy
+    def _possible(self) -> tuple[PluginFacts, ...]:
+        """The facts about its library in the generations that may load it: in a package of ROS 2 no older one."""
+        found = self._generations
+        if len(found) < 2:
+            return found
+        from sdfcheck.files.packages import is_of_ros_2
+
+        newer = tuple(facts for facts in found if facts.generation != "gazebo_ros1")
+        return newer if is_of_ros_2(self.document.path) else found
 
     @lazy
     def generation(self) -> str:
@@ -1888,6 +1902,25 @@ class Plugin(Part):
 
     @lazy
     def misspelled_parameters(self) -> tuple[tuple[Element, str], ...]:
+        """The parameters that no generation of it reads, with those that they were probably meant to be."""
+        return tuple((each, meant) for each, meant in self._meant if not self._is_read_elsewhere(each))
+
+    @lazy
+    def outdated_parameters(self) -> tuple[tuple[Element, str], ...]:
+        """The parameters that it had in ROS 1, in a package of ROS 2, with their names there.
+
+        Without those of 0, which there as well is what it takes where nothing is given.
+        """
+        if len(self._possible) == len(self._generations):
+            return ()
+        older = ((each, meant) for each, meant in self._meant if self._is_read_elsewhere(each))
+        return tuple((each, meant) for each, meant in older if each.content.strip() not in {"0", "0.0"})
+
+    def _is_read_elsewhere(self, parameter: Element) -> bool:
+        return any(facts.reads(parameter.name) for facts in self._generations)
+
+    @lazy
+    def _meant(self) -> tuple[tuple[Element, str], ...]:
         """The parameters that it does not read, with those that they were probably meant to be."""
         facts = self.known
         if facts is None or not facts.parameters:
@@ -1917,7 +1950,7 @@ class Plugin(Part):
             return ()
         from sdfcheck.formats.plugins import counterparts
 
-        meant = {parameter for parameter, _ in self.misspelled_parameters}
+        meant = {parameter for parameter, _ in self._meant}
         unread = [each for each in self.parameters if each not in meant and not facts.reads(each.name)]
         others = (
             [other for other in counterparts(self.filename) if other.file != facts.file] if unread else ()
@@ -1934,7 +1967,7 @@ class Plugin(Part):
         facts = self.known
         if facts is None or not facts.required or self.is_template or self._is_of_several_generations:
             return ()
-        meant = {name for _, name in self.misspelled_parameters}
+        meant = {name for _, name in self._meant}
         return tuple(name for name in sorted(facts.required - meant) if self.lacks(name))
 
     @lazy
@@ -1955,10 +1988,8 @@ class Plugin(Part):
     @property
     def _is_of_several_generations(self) -> bool:
         """Do its parameters fit several generations of its library equally well?"""
-        from sdfcheck.formats.plugins import known
-
         given = {parameter.name for parameter in self.parameters}
-        shared = sorted(len(given & facts.parameters) for facts in known(self.filename))
+        shared = sorted(len(given & facts.parameters) for facts in self._possible)
         return len(shared) > 1 and shared[-1] == shared[-2]
 
     @property

@@ -188,8 +188,9 @@ class Resource(FileUse):
         if "/" not in self.uri and _is_for_gazebo(self.element):
             return False  # Gazebo knows where its own pictures are
         location = self.location
-        is_there = self._is_among_textures or self._is_in_mesh_folder
-        return location.path is None and location.is_local and not is_there
+        if location.path is not None or not location.is_local:
+            return False
+        return not self._is_among_textures and not self._is_in_mesh_folder
 
     @property
     def meant_package(self) -> str | None:
