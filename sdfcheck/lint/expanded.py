@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 
+from sdfcheck.formats.urdf.survey import is_unknown
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, explain, lint_document, look_at
 from sdfcheck.lint.fold import fold, settle, without_repeats
@@ -22,7 +23,7 @@ from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.language import KEYWORDS
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, is_unknown, prepare
+from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions

@@ -61,7 +61,7 @@ def lint_source(
     if document is None or is_own:
         document = read(data, path, kind)
     document.library, document.included_by = library, ()
-    if document.kind is Kind.URDF and library is not None:
+    if library is not None and document.kind is Kind.URDF and not _is_whole(document):
         from sdfcheck.xacro.prepare import is_fragment, is_launched_source
 
         is_part = is_fragment(document)
@@ -84,6 +84,12 @@ def lint_source(
         found = lint_xacro(document, dispatch, expander, sets, variants=variants)
         return result(found, document, open=is_open)
     return result(lint_document(document, dispatch), document)
+
+
+def _is_whole(document: Document) -> bool:
+    from sdfcheck.formats.urdf.survey import is_whole
+
+    return is_whole(document)
 
 
 def result(diagnostics: list[Diagnostic], document: Document, *, open: bool = False) -> FileResult:

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 from sdfcheck.bodies.box import Box
 from sdfcheck.files.regular import SIZE_LIMIT
-from sdfcheck.formats.urdf.findings import COLORS_OF_SDFORMAT
 from sdfcheck.robot import solids
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import Number, Vector, lazy
@@ -85,7 +84,11 @@ class Material(Part):
     @property
     def has_foreign_colors(self) -> bool:
         """Has it colors of SDFormat in URDF, where nobody reads them?"""
-        return self.is_urdf and any(map(self.has, COLORS_OF_SDFORMAT))
+        if not self.is_urdf:
+            return False
+        from sdfcheck.formats.urdf.findings import COLORS_OF_SDFORMAT
+
+        return any(map(self.has, COLORS_OF_SDFORMAT))
 
     @property
     def look(self) -> tuple[object, object]:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sdfcheck.files.packages import TEMPLATE
+from sdfcheck.formats.urdf.survey import is_unknown, is_whole, lacks_parts
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
@@ -43,14 +44,6 @@ from sdfcheck.xacro.static.reasons import with_reason
 # Files that are only a part of a robot: another file includes them and has the rest.
 
 
-_USES = {
-    ("joint", "parent"): ("link", "link"),
-    ("joint", "child"): ("link", "link"),
-    ("joint", "mimic"): ("joint", "joint"),
-    ("transmission", "joint"): ("name", "joint"),
-    ("ros2_control", "joint"): ("name", "joint"),
-}
-"""An element of a robot and one in it: the attribute that names a part, and the kind of that."""
 _WHOLES = ("actor", "include", "light", "model", "world")
 """What SDFormat has in its root."""
 _ABOUT_LINKS = frozenset({"gazebo", "material", "ros2_control", "transmission"})
@@ -79,35 +72,15 @@ def is_fragment(document: Document) -> bool:
     names = {child.name for child in root.children()}
     if names and names <= _ABOUT_LINKS:
         return True
-    is_whole = root.has("link") and not lacks_parts(document) and not is_unknown(document.source.text)
-    return not is_whole and is_included(document)
+    return not is_whole(document) and is_included(document)
 
 
-def lacks_parts(document: Document) -> bool:
-    """Whether a robot names links, joints or materials that it does not have itself, or has links without joints.
-
-    SDFormat lacks them if it holds nothing of a root: the settings of a world, the shapes of a link.
-    """
+def _lacks_parts(document: Document) -> bool:
+    """Whether a robot lacks parts; SDFormat does if it holds nothing of a root: the settings of a world, a shape."""
     root = document.root
     if root is not None and root.name == "sdf" and any(root.children()):
         return not any(map(root.has, _WHOLES))
-    if root is None or document.kind is not Kind.URDF:
-        return False
-    own = {kind: {part.text_of("name") for part in root.children(kind)} for kind in ("link", "joint")}
-    for part in root.children():
-        for inner in part.children():
-            attribute, kind = _USES.get((part.name, inner.name), ("", ""))
-            if kind and inner.text_of(attribute) not in own[kind]:
-                return True
-    if len(own["link"]) > len(own["joint"]) + 1:
-        return True
-    blocks = (block.text_of("reference") for block in root.children("gazebo"))
-    if any(name and name not in own["link"] | own["joint"] for name in blocks):
-        return True
-    visuals = (visual for link in root.children("link") for visual in link.children("visual"))
-    materials = [*root.children("material"), *(each for one in visuals for each in one.children("material"))]
-    defined = {each.text_of("name") for each in materials if each.has("color") or each.has("texture")}
-    return any((name := each.text_of("name")) and name not in defined for each in materials)
+    return lacks_parts(document)
 
 
 _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
@@ -239,7 +212,7 @@ def _documents(expansions: Iterable[Expansion], document: Document) -> Iterator[
         expanded = expansion.document
         if expanded is None or not is_complete(expanded):
             continue
-        if is_included(document) and lacks_parts(expanded):
+        if is_included(document) and _lacks_parts(expanded):
             continue
         expanded.library = document.library
         yield expanded
@@ -372,11 +345,6 @@ _SHAPING = frozenset({"child", "inertia", "joint", "link", "mass", "name", "pare
 
 _SHAPED = frozenset({"inertial", "joint", "link", "robot", "visual"})
 """Elements that have another meaning for the robot with another child in them, or define a material for others."""
-
-
-def is_unknown(text: str) -> bool:
-    """Is there an expression in a text that an expansion has left?"""
-    return "${" in text or "$(" in text
 
 
 def has_unknown_value(span: Span) -> bool:

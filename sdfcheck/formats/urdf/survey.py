@@ -126,3 +126,50 @@ def _is_unexpanded(document: Document) -> bool:
     if document.kind is not Kind.XACRO or document.root is None or "<xacro:" not in document.source.text:
         return False
     return any(element.name.startswith("xacro:") for element in document.elements[1:])
+
+
+# Is a robot whole as it is written, or a part of one, which another file has?
+
+
+_USES = {
+    ("joint", "parent"): ("link", "link"),
+    ("joint", "child"): ("link", "link"),
+    ("joint", "mimic"): ("joint", "joint"),
+    ("transmission", "joint"): ("name", "joint"),
+    ("ros2_control", "joint"): ("name", "joint"),
+}
+"""An element of a robot and one in it: the attribute that names a part, and the kind of that."""
+
+
+def is_unknown(text: str) -> bool:
+    """Is there an expression of xacro in a text?"""
+    return "${" in text or "$(" in text
+
+
+def is_whole(document: Document) -> bool:
+    """Does a robot have links, all parts that it names, and no expression?"""
+    root = document.root
+    has_links = root is not None and root.has("link")
+    return has_links and not lacks_parts(document) and not is_unknown(document.source.text)
+
+
+def lacks_parts(document: Document) -> bool:
+    """Whether a robot names links, joints or materials that it does not have, or has links without joints."""
+    root = document.root
+    if root is None or document.kind is not Kind.URDF:
+        return False
+    own = {kind: {part.text_of("name") for part in root.children(kind)} for kind in ("link", "joint")}
+    for part in root.children():
+        for inner in part.children():
+            attribute, kind = _USES.get((part.name, inner.name), ("", ""))
+            if kind and inner.text_of(attribute) not in own[kind]:
+                return True
+    if len(own["link"]) > len(own["joint"]) + 1:
+        return True
+    blocks = (block.text_of("reference") for block in root.children("gazebo"))
+    if any(name and name not in own["link"] | own["joint"] for name in blocks):
+        return True
+    visuals = (visual for link in root.children("link") for visual in link.children("visual"))
+    materials = [*root.children("material"), *(each for one in visuals for each in one.children("material"))]
+    defined = {each.text_of("name") for each in materials if each.has("color") or each.has("texture")}
+    return any((name := each.text_of("name")) and name not in defined for each in materials)
