@@ -1,0 +1,1 @@
+"""Rules about what PyBullet makes of URDF."""
