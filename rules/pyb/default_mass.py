@@ -44,7 +44,7 @@ class DefaultMass(Rule):
         Good(
             f'<robot name="r"><link name="world"/><link name="base">{BODY}</link>'
             '<joint name="j" type="fixed"><parent link="world"/><child link="base"/></joint></robot>',
-            why="what the robot is fixed to",
+            why="the robot is fixed to it",
             scaffold="",
         ),
     )
