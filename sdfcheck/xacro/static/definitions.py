@@ -193,10 +193,11 @@ class Property(Record):
 
 
 class Call(Record):
-    """A use of a macro."""
+    """A use of a macro, and the macro in whose body it is."""
 
     element: Element
     name: str
+    macro: Element | None
 
 
 class Expression(Record):
@@ -254,7 +255,7 @@ class Reading:
         self.elements.append((element, macro))
         own = keyword(element)
         if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS:
-            self.calls.append(Call(element, name[len(PREFIX) :]))
+            self.calls.append(Call(element, name[len(PREFIX) :], macro))
         if own == "macro":
             self._take_macro(element)
             macro, conditional = element, True
@@ -308,7 +309,7 @@ class Reading:
         elif own == "call":
             self.is_open |= not is_literal(attributes.get("macro", ""))
             if is_literal(attributes.get("macro", "")):
-                self.calls.append(Call(element, attributes.get("macro", "")))
+                self.calls.append(Call(element, attributes.get("macro", ""), macro))
 
     def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
         self.words |= _words_of(element)
