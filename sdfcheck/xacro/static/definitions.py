@@ -457,7 +457,12 @@ class Definitions:
                 continue
             self.is_open |= not targets
             self.reaches_out |= not targets and not self._stays(include, document)
-            if not targets and not way and not include.optional and self._known_path(include, document):
+            is_missing = not targets and not include.optional and self._known_path(include, document)
+            if (
+                is_missing
+                and not way
+                and not (include.conditional and self._asks_arguments(include.filename))
+            ):
                 self.missing.append(include)
             for target in targets:
                 self._follow(target, document, (*way, (path, include)))
@@ -525,6 +530,17 @@ class Definitions:
         """Where a path leads that is written in a file of a folder, if that can be known."""
         text = self._known_text(written, document)
         return folder / text if text and document.library is not None else None
+
+    def _asks_arguments(self, text: str, of: frozenset[str] = frozenset()) -> bool:
+        """Does a text have the value of an argument, which may be another one than the default?"""
+        for match in matches(text):
+            name = (match["code"] or "").strip()
+            values = [found.value or "" for found in self.given.get(name, ()) if name not in of]
+            if _ARGUMENT.match(match["command"] or "") or any(
+                self._asks_arguments(value, of | {name}) for value in values
+            ):
+                return True
+        return False
 
     def _known_text(self, text: str, document: Document, of: frozenset[str] = frozenset()) -> str:
         """A text whose substitutions have one possible value each; empty if one has not, or is in ``of``."""
