@@ -22,7 +22,7 @@ OF_SENSORS = frozenset(
     for axis in axes
 )
 QUANTITIES = frozenset(each.partition(".")[0] for each in OF_SENSORS)
-"""What a sensor of somebody's own may give as one number."""
+"""A sensor of somebody's own may give one number for each of them."""
 SHORT = {"acc": "acceleration", "eff": "effort", "pos": "position", "vel": "velocity"}
 IN_GAZEBO = {"angle": "position", "force": "effort", "speed": "velocity", "torque": "effort"}
 """Other words for what Gazebo's hardware reads and writes of a joint."""
