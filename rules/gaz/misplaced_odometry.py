@@ -45,6 +45,13 @@ class MisplacedOdometry(Rule):
     good = (
         Good(DRIVE.format("base")),
         Good(DRIVE.format("robot1/base"), why="with the prefix that robot_state_publisher adds"),
+        Good(
+            DRIVE.format("wheel"),
+            files={
+                "package.xml": "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+            },
+            why="the plugin of ROS 2 does not read it",
+        ),
     )
 
     @staticmethod
@@ -70,7 +77,7 @@ def carried(plugin: Plugin) -> tuple[Value, Model, Link | None] | None:
     """The link that a plugin carries about in tf, if a joint leads to it or it is not there."""
     value = next((found for name in NAMES if (found := plugin.value(name)) is not None), None)
     facts = plugin.known
-    if value is None or facts is None or not plugin.is_extension:
+    if value is None or facts is None or not plugin.is_extension or not facts.reads(value.element.name):
         return None
     switch, default = SWITCHES.get(facts.file, ("", True))
     if facts.generation == "gazebo_ros2":

@@ -97,9 +97,10 @@ class DetachedLink(Rule):
         for joint, link, distance in detached(model):
             origin = joint.find("origin")
             value = None if origin is None else origin.attribute("xyz")
+            who = f"{link.title}, with what hangs on it," if link.child_joints else link.title
             yield self.diagnostic(
                 value or joint,
-                f"{link.title} is {distance:.3g} m away from all other links, and is {length(link):.3g} m long",
+                f"{who} is {distance:.3g} m away from all other links, and is {length(link):.3g} m long",
                 labels={link: "the link", link.shapes[0]: "the first of its shapes"},
             )
 
@@ -124,7 +125,8 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
         if bound < (distance := nearest(link, others, bound)) < inf:
             found.append((joint, link, distance))
         elif link.has_mesh:
-            touching[joint] = max(NEAR, min(HIDDEN, HALF * length(link)), SHARE * length(link))
+            long = max(map(length, link.below()))
+            touching[joint] = max(NEAR, min(HIDDEN, HALF * long), SHARE * long)
     apart = ((joint, joint.child_link, distance) for joint, distance in model.gaps(touching).items())
     return [
         *found,

@@ -47,6 +47,11 @@ class MismatchedMeshScale(Rule):
             mesh("visual", "arm.stl", ' scale="0.001 0.001 0.001"') + mesh("collision", "arm_in_meters.stl"),
             why="two files",
         ),
+        Good(
+            mesh("visual", "cube.obj", ' scale="1.5 1 0.05"')
+            + mesh("visual", "cube.obj", ' scale="0.1 0.1 0.58"'),
+            why="a cube, stretched to the top and the leg of a table",
+        ),
     )
 
     @staticmethod
@@ -78,7 +83,7 @@ def pair(link: Link) -> tuple[Shape, Shape] | None:
         if geometry.shape != "mesh" or not geometry.uri or len(scale) != 3 or not all(scale):
             continue
         other = seen.setdefault(geometry.uri, shape)
-        factor = abs(scale[0] / other.geometry.scale[0])
-        if not 1 / MOST < factor < MOST:
+        factors = [abs(own / their) for own, their in zip(scale, other.geometry.scale, strict=True)]
+        if min(factors) >= MOST or max(factors) <= 1 / MOST:
             return other, shape
     return None

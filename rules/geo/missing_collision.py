@@ -63,6 +63,12 @@ class MissingCollision(Rule):
             why="nothing to see",
         ),
         Good(
+            robot("base visual", *(f"{name} visual collision" for name in "abcde"), "tip visual").replace(
+                'name="tip">', 'name="tip"><!--collision><geometry/></collision-->'
+            ),
+            why="it is switched off",
+        ),
+        Good(
             robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
                 "</link><link", f"{MASS}</link><link", 2
             ),
@@ -106,7 +112,7 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         complete = [other for other in alike if other.has("collision")]
         if len(complete) * 2 > len(alike):
             found.append((link, complete[0]))
-        elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_small(link, moving):
+        elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_exempt(link, moving):
             found.append((link, None))
     return found
 
@@ -124,10 +130,12 @@ def numbered(link: Link) -> list[Link]:
     ]
 
 
-def is_small(link: Link, others: list[Link]) -> bool:
-    """Is it less than half as long as most others, as parts inside of a joint are?"""
+def is_exempt(link: Link, others: list[Link]) -> bool:
+    """Is the collision in a comment, or the link less than half as long as most others, like parts inside of joints?"""
     from statistics import median
 
+    if link.switches_off("collision"):
+        return True
     own = link.visual_box
     lengths = [
         max(box.size) for other in others if other is not link and (box := other.visual_box) is not None

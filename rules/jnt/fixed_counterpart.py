@@ -46,6 +46,13 @@ class FixedCounterpart(Rule):
             "".join(ARM.format(side, kind) for side, kind in (("left", "revolute"), ("right", "fixed"))),
             why="a whole arm that is not driven",
         ),
+        Good(
+            f'<link name="palm">{VISUAL}</link><joint name="palm_joint" type="fixed"><parent link="base"/>'
+            '<child link="palm"/></joint>'
+            + WHEEL.format("left", "continuous")
+            + WHEEL.format("right", "fixed").replace("base", "palm"),
+            why="a gripper of another make, whose parts hang together otherwise",
+        ),
     )
 
     @staticmethod
@@ -62,8 +69,11 @@ class FixedCounterpart(Rule):
 
 
 def is_stiff(joint: Joint) -> bool:
-    """Is it fixed, and its counterpart is not?"""
-    return joint.is_fixed and joint.mirror is not None and joint.mirror.moves
+    """Is it fixed, and its counterpart, which hangs on the same link or that of the other side, is not?"""
+    mirror, above = joint.mirror, joint.parent_link
+    if not joint.is_fixed or mirror is None or not mirror.moves or above is None:
+        return False
+    return mirror.parent_link in {above, *above.counterparts}
 
 
 def neighbors(joint: Joint) -> tuple[Joint, ...]:

@@ -9,6 +9,8 @@ LITTLE = 3.0
 """A limit of less is in radians."""
 LEAST, MOST = 20.0, 720.0
 """Numbers from here to there are usual limits in degrees. More is a way to write no limit."""
+UNLIMITED = 100.0
+"""Both ways this is another one, as 1000 is."""
 
 
 class LimitsInDegrees(Rule):
@@ -66,6 +68,11 @@ class LimitsInDegrees(Rule):
             why="written for no limit",
         ),
         Good(
+            '<limit lower="-100" upper="100" effort="1000" velocity="100"/>',
+            scaffold=IN_URDF_JOINT,
+            why="written for no limit",
+        ),
+        Good(
             '<joint name="k" type="prismatic"><parent link="base"/><child link="arm"/>'
             '<limit lower="0" upper="60" effort="5" velocity="2"/></joint>',
             scaffold='<robot name="r"><link name="base"/><link name="arm"/>{}</robot>',
@@ -81,7 +88,7 @@ class LimitsInDegrees(Rule):
         if limit.joint.type not in TURNING or -lower > MOST or limit.axis.limit is not limit:
             return False
         if lower.number % 1 == 0 == upper.number % 1:
-            return max(-lower, upper) >= ROUND
+            return max(-lower, upper) >= ROUND and not -lower == upper == UNLIMITED
         ends = lower.number, upper.number
         return all(not 0 < abs(end) < LITTLE for end in ends) and not all(map(is_whole_turns, ends))
 

@@ -21,6 +21,8 @@ OF_SENSORS = frozenset(
     )
     for axis in axes
 )
+QUANTITIES = frozenset(each.partition(".")[0] for each in OF_SENSORS)
+"""A sensor of somebody's own may give one number for each of them."""
 SHORT = {"acc": "acceleration", "eff": "effort", "pos": "position", "vel": "velocity"}
 IN_GAZEBO = {"angle": "position", "force": "effort", "speed": "velocity", "torque": "effort"}
 """Other words for what Gazebo's hardware reads and writes of a joint."""
@@ -32,7 +34,7 @@ def meant(interface: ControlInterface) -> str | None:
     known = OF_JOINTS if what == "joint" else OF_SENSORS if what == "sensor" else frozenset[str]()
     if what == "joint" and name in IN_GAZEBO and interface.component.block.is_simulated:
         return IN_GAZEBO[name]
-    if name in known:
+    if name in known or (what == "sensor" and name in QUANTITIES):
         return None
     if what == "joint" and name in SHORT:
         return SHORT[name]
@@ -101,6 +103,11 @@ class MisspelledInterface(Rule):
         Good('<command_interface name="stiffness"/>', why="names are free"),
         Good('<command_interface name="torque"/>', why="hardware of somebody's own may have it"),
         Good('<command_interface name="position_x"/>', why="made from a known name"),
+        Good(
+            '<sensor name="grip"><state_interface name="force"/></sensor>',
+            scaffold=IN_BLOCK,
+            why="one number for the whole",
+        ),
     )
 
     @staticmethod

@@ -17,6 +17,7 @@ from sdfcheck import (
 
 ROS_2 = {"package.xml": "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"}
 CAMERA = '<plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin>'
+MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 
 
@@ -65,6 +66,13 @@ class MisspelledPluginParameter(Rule):
             fixed=CAMERA.format("<camera_name>eye</camera_name><frame_name>eye_link</frame_name><Cx>0</Cx>"),
             unsafe=True,
             says="of ROS 2 does not read `cameraName` or `frameName`, as that of ROS 1 does; did you mean",
+            files=ROS_2,
+        ),
+        Bad(
+            MOVE.format("<odometryRate>20</odometryRate><«odometryFrame»>odom</odometryFrame>"),
+            fixed=MOVE.format("<odometryRate>20</odometryRate><odometry_frame>odom</odometry_frame>"),
+            unsafe=True,
+            says="does not read `odometryFrame`, as that of ROS 1 does",
             files=ROS_2,
         ),
     )

@@ -57,7 +57,10 @@ def near_file(resource: Resource) -> tuple[str | None, bool]:
 
 
 def near_model(include: Include) -> str | None:
-    """The model that is probably meant by one that is not found, among those where it was looked for."""
+    """The model that is probably meant by one that is not found, among those where it was looked for.
+
+    Another computer may have the one that is named; a misspelling begins alike.
+    """
     location = include.location
     if location is None or location.scheme != "model":
         return None
@@ -66,7 +69,8 @@ def near_model(include: Include) -> str | None:
         name
         for folder in folders
         for name in names_in(folder or os.curdir, ("",))
-        if numbers(name) == numbers(location.name)
+        if name[:1] == location.name[:1]
+        and numbers(name) == numbers(location.name)
         and os.path.isfile(os.path.join(folder, name, "model.config"))
     }
     return include.nearest(location.name, sorted(known))

@@ -82,8 +82,8 @@ class UnresolvedInclude(Rule):
             says="model `warehuose` is not on the search path; did you mean `warehouse`?",
         ),
         Bad(
-            "<include><uri>«model://odel»</uri><name>a</name></include>"
-            "<include><uri>model://odel</uri><name>b</name></include>",
+            "<include><uri>«model://mode»</uri><name>a</name></include>"
+            "<include><uri>model://mode</uri><name>b</name></include>",
             fixed="<include><uri>model://model</uri><name>a</name></include>"
             "<include><uri>model://model</uri><name>b</name></include>",
             unsafe=True,

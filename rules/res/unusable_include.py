@@ -8,6 +8,8 @@ from sdfcheck import (
     Element,
     Good,
     Include,
+    Missing,
+    MissingKind,
     Obstacle,
     Rule,
     Severity,
@@ -15,6 +17,10 @@ from sdfcheck import (
 )
 
 EMPTY = "remove the element, or give it a value"
+CURES: dict[Obstacle | None, str] = {
+    Obstacle.POINTER: "fetch the file with `git lfs pull`",
+    Obstacle.XACRO: "expand it with `sdfcheck expand`",
+}
 SETTINGS = ("name", "static", "placement_frame")
 ARM = {"arm.sdf": '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'}
 
@@ -25,7 +31,7 @@ class UnusableInclude(Rule):
     The file has to be SDFormat with a model, actor or light at its top, or a URDF. A
     world cannot be included, and a xacro file has to be expanded first. libsdformat
     refuses the including document; an empty `<name>`, `<static>` or `<placement_frame>`
-    ends its process.
+    ends its process. A pointer of Git LFS is a warning: another copy may have the file.
     """
 
     code = "RES012"
@@ -62,6 +68,11 @@ class UnusableInclude(Rule):
             says="`notes.txt` is neither SDFormat nor URDF",
         ),
         Bad(
+            "<include><uri>«arm.sdf»</uri></include>",
+            files={"arm.sdf": "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 84\n"},
+            says="only a pointer of Git LFS to `arm.sdf` is here",
+        ),
+        Bad(
             "<include><uri>«arm.urdf»</uri></include>",
             files={"arm.urdf": '<robot name="r"><xacro:leg/></robot>'},
             says="has to be expanded",
@@ -93,10 +104,16 @@ class UnusableInclude(Rule):
         for setting in empty_settings(include):
             yield self.diagnostic(setting, f"`{setting.name}` of this include is empty", help=EMPTY)
         if include.is_read_in_vain and include.uri_value is not None:
-            is_foreign = include.obstacle is Obstacle.FOREIGN
-            affects = {Consumer.DRAKE: warns("loads nothing in its place")} if is_foreign else {}
-            advice = "expand it with `sdfcheck expand`" if include.obstacle is Obstacle.XACRO else None
-            yield self.diagnostic(include.uri_value, self.reason(include), affects=affects, help=advice)
+            is_pointer = include.obstacle is Obstacle.POINTER
+            is_foreign = is_pointer or include.obstacle is Obstacle.FOREIGN
+            yield self.diagnostic(
+                include.uri_value,
+                self.reason(include),
+                severity=Severity.WARNING if is_pointer else self.severity,
+                affects={Consumer.DRAKE: warns("loads nothing in its place")} if is_foreign else {},
+                help=CURES.get(include.obstacle),
+                missing=Missing(MissingKind.LFS, include.uri) if is_pointer else None,
+            )
 
     def reason(self, include: Include) -> str:
         file, document = include.found.file, include.found.document
@@ -104,6 +121,8 @@ class UnusableInclude(Rule):
         root = document.root if document is not None else None
         if include.obstacle is Obstacle.XACRO:
             return f"{name} is xacro, which has to be expanded before it can be included"
+        if include.obstacle is Obstacle.POINTER:
+            return f"only a pointer of Git LFS to {name} is here"
         if include.obstacle is Obstacle.FOREIGN:
             element = f": its root element is `{root.name}`" if root is not None else ""
             return f"{name} is neither SDFormat nor URDF{element}"

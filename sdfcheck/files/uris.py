@@ -231,6 +231,7 @@ def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[
         found = library.packages(document.path).find(name, document.path)
         if found is not None:
             yield str(found)
+            yield str(found / "src" / name)  # Python installs what is beside its modules
     for above in around.above:
         if os.path.basename(above) == name:
             yield above

@@ -33,8 +33,25 @@ def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: 
             labels=tuple(label for label in labels if label.span != span),
             origins=diagnostic.origins or origins,
         )
-        settled.append(_with_values(moved, file))
-    return settled
+        settled.append(moved)
+    return [_with_values(each, file) for each in _once_a_way(settled)]
+
+
+def _once_a_way(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """Of diagnostics about lines that two calls or includes bring alike, the first, which says how many there are."""
+    groups: dict[object, list[Diagnostic]] = {}
+    for each in diagnostics:
+        is_way = len(each.labels) == 1 and each.labels[0].text.endswith(_WAY)
+        groups.setdefault((each.code, each.labels, each.origins) if is_way else each, []).append(each)
+    return [
+        first.without_fix._replace(message=f"{first.message}, and {len(more)} more like this")
+        if more
+        else first
+        for first, *more in groups.values()
+    ]
+
+
+_WAY = ", from here"
 
 
 def _label(place: Span, text: str, span: Span) -> Label:
@@ -43,7 +60,7 @@ def _label(place: Span, text: str, span: Span) -> Label:
         own, other = reversed(getattr(span, "origins", ())), reversed(getattr(place, "origins", ()))
         for here, there in zip(own, other, strict=False):
             if here.span != there.span:
-                return Label(Span(*there.span), f"{text}, from here")
+                return Label(Span(*there.span), text + _WAY)
     return Label(place, text)
 
 

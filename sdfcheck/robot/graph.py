@@ -1929,13 +1929,15 @@ class Plugin(Part):
         names = {parameter.name for parameter in given}
         unread = [parameter for parameter in given if not facts.reads(parameter.name)]
         free = [name for name in facts.parameters if name not in names]
+        letters = {_letters(name): name for name in free}
         from sdfcheck.formats.near_names import without_a_word
 
         found = (
             (
                 each,
                 facts.in_other_case(each.name)
-                or self.nearest(each.name, free)
+                or letters.get(_letters(each.name))
+                or (None if self._is_read_elsewhere(each) else self.nearest(each.name, free))
                 or without_a_word(each.name, free),
             )
             for each in unread
@@ -1996,6 +1998,11 @@ class Plugin(Part):
     def is_template(self) -> bool:
         """Will something else write more of it, such as xacro?"""
         return any("xacro:" in child.name or "$" in child.content for child in self.parameters)
+
+
+def _letters(name: str) -> str:
+    """A name without the way in which its words are joined: ``robotBaseFrame`` and ``robot_base_frame`` are alike."""
+    return name.replace("_", "").lower()
 
 
 # Drives: what the parameters of a plugin say, and where the wheels are.

@@ -14,6 +14,7 @@ from sdfcheck.formats.sdf.survey import notes, version_of
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.robot.naming.name import MODEL_FRAME, NODES, WORLD_FRAME
 from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, reference_of
+from sdfcheck.source.document import Comment
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
 
@@ -244,6 +245,11 @@ class Part:
             return misspells(self.element, name)
 
         return (self.element, name) in notes(self.document).misspelled
+
+    def switches_off(self, name: str) -> bool:
+        """Is a child of that name in a comment?"""
+        nodes = self.element.nodes if self.is_given else ()
+        return any(isinstance(node, Comment) and f"<{name}" in f"<{node.text}" for node in nodes)
 
     def find(self, name: str) -> Element | None:
         """The first child element of that name, prefix included."""

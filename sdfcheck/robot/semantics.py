@@ -226,6 +226,7 @@ class Semantics:
             for part, definition in self.parts
             for name, kind in naming(definition)
             if (value := part.attribute(name)) is not None
+            and (value.text.strip() or definition.attributes[name].required)
         )
 
     @lazy
@@ -492,6 +493,8 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         semantics.has_kinematics = any(
             file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
         )
+    if _is_elsewhere(path, library.packages(path)):
+        return
     for robot in _declared_robots(semantics, library, expand):
         if robot is not None and _score(semantics, robot) >= _FEWEST:
             semantics.robots = (robot,)
@@ -533,6 +536,14 @@ def _declared_robots(semantics: Semantics, library: Library, expand: Expand | No
     for meant in declared(path, library.packages(path)):
         if (head := _own_head(meant.path, semantics)) is not None:
             yield _robot(meant.path, head, semantics, expand, meant.arguments)
+
+
+def _is_elsewhere(path: Path, packages: Packages) -> bool:
+    """Did MoveIt's assistant make the file for a robot that no file of the project is called like?"""
+    return any(
+        not any(file.name == meant.path.name for file in packages.files(meant.path.suffix, MOST_FILES))
+        for meant in declared(path, packages)
+    )
 
 
 def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99) -> Model | None:

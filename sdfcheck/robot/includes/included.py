@@ -55,6 +55,7 @@ class Obstacle(Enum):
     OUTSIDE = "outside of what is read"
     BROKEN = "broken"
     FOREIGN = "foreign"
+    POINTER = "a pointer of Git LFS"
     XACRO = "xacro"
     NO_MODEL = "no model"
 
@@ -227,6 +228,8 @@ def _read(document: Document, found: Included, file: Path) -> Included:
         return found._replace(obstacle=Obstacle.OUTSIDE if is_outside else Obstacle.UNREADABLE)
     _note_origin(document, other, found)
     found = found._replace(document=other)
+    if other.kind is Kind.LFS_POINTER:
+        return found._replace(obstacle=Obstacle.POINTER)
     if other.root is None:
         return found._replace(obstacle=Obstacle.BROKEN if is_description(other) else Obstacle.FOREIGN)
     if other.root.name not in {"sdf", "robot"}:

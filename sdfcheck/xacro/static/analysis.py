@@ -267,10 +267,12 @@ def _undeclared(document: Document) -> Iterator[Problem]:
 
 
 def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Problem]:
-    known = {*visible.macros, *KEYWORDS}
+    defined = {*visible.macros, *KEYWORDS}
     for call in reading(document).calls:
         if call.name in visible.macros or call.name.rpartition(".")[2] in visible.macros:
             continue
+        # A macro wraps one of a like name rather than that it calls itself.
+        known = defined - {call.macro.attributes.get("name") if call.macro is not None else None}
         if knows_all(document):
             near = guess(document, call.name, known, surely=False)
         else:

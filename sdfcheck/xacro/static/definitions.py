@@ -193,10 +193,11 @@ class Property(Record):
 
 
 class Call(Record):
-    """A use of a macro."""
+    """A use of a macro, and the macro in whose body it is."""
 
     element: Element
     name: str
+    macro: Element | None
 
 
 class Expression(Record):
@@ -254,7 +255,7 @@ class Reading:
         self.elements.append((element, macro))
         own = keyword(element)
         if name.startswith(PREFIX) and name[len(PREFIX) :] not in KEYWORDS:
-            self.calls.append(Call(element, name[len(PREFIX) :]))
+            self.calls.append(Call(element, name[len(PREFIX) :], macro))
         if own == "macro":
             self._take_macro(element)
             macro, conditional = element, True
@@ -308,7 +309,7 @@ class Reading:
         elif own == "call":
             self.is_open |= not is_literal(attributes.get("macro", ""))
             if is_literal(attributes.get("macro", "")):
-                self.calls.append(Call(element, attributes.get("macro", "")))
+                self.calls.append(Call(element, attributes.get("macro", ""), macro))
 
     def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
         self.words |= _words_of(element)
@@ -456,7 +457,12 @@ class Definitions:
                 continue
             self.is_open |= not targets
             self.reaches_out |= not targets and not self._stays(include, document)
-            if not targets and not way and not include.optional and self._known_path(include, document):
+            is_missing = not targets and not include.optional and self._known_path(include, document)
+            if (
+                is_missing
+                and not way
+                and not (include.conditional and self._asks_arguments(include.filename))
+            ):
                 self.missing.append(include)
             for target in targets:
                 self._follow(target, document, (*way, (path, include)))
@@ -524,6 +530,17 @@ class Definitions:
         """Where a path leads that is written in a file of a folder, if that can be known."""
         text = self._known_text(written, document)
         return folder / text if text and document.library is not None else None
+
+    def _asks_arguments(self, text: str, of: frozenset[str] = frozenset()) -> bool:
+        """Does a text have the value of an argument, which may be another one than the default?"""
+        for match in matches(text):
+            name = (match["code"] or "").strip()
+            values = [found.value or "" for found in self.given.get(name, ()) if name not in of]
+            if _ARGUMENT.match(match["command"] or "") or any(
+                self._asks_arguments(value, of | {name}) for value in values
+            ):
+                return True
+        return False
 
     def _known_text(self, text: str, document: Document, of: frozenset[str] = frozenset()) -> str:
         """A text whose substitutions have one possible value each; empty if one has not, or is in ``of``."""

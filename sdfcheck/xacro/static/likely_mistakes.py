@@ -99,21 +99,33 @@ def _missing(document: Document) -> list[MissingXacroPrefix]:
 
 
 def is_plain_call(element: Element, visible: Definitions) -> bool:
-    """Is an element that its format does not know the call of a macro but for the prefix?"""
+    """Is an element that its format does not know the call of a macro but for the prefix?
+
+    A file that includes its own may bring the macro.
+    """
     name = element.name
-    if name not in visible.macros or is_free(element):
+    if ":" in name or is_free(element):
         return False
     root = element.document.root
     knows = _KNOWN.get(root.name) if root is not None else None
     if knows is None or knows(name):
         return False
     given = element.attributes.keys()
-    for macro in visible.macros[name]:
+    for macro in visible.macros.get(name) or element.document.view(_macros_of_includers).get(name, []):
         taken = [each for each in macro.parameters if not each.is_block]
         needed = {each.name for each in taken if each.default is None and not each.forwards}
         if needed <= given <= {each.name for each in taken}:
             return True
     return False
+
+
+def _macros_of_includers(document: Document) -> dict[str, list[Macro]]:
+    """The macros of the files that include one, and of all that they include."""
+    found: dict[str, list[Macro]] = {}
+    for read in _with_includers(document, visible_definitions(document)):
+        for macro in read.macros:
+            found.setdefault(macro.name, []).append(macro)
+    return found
 
 
 _NEARLY = 1e-6

@@ -151,6 +151,19 @@ def test_a_defect_that_several_robots_reach_is_one(tmp_path: Path) -> None:
     assert found.origins[-1].span.source.path.name == "a.urdf.xacro"
 
 
+def test_a_macro_that_is_called_again_is_one_mistake(tmp_path: Path, expander: Expander) -> None:
+    macro = '<xacro:macro name="leg" params=""><link name="hip"/>\n<link name="knee"/></xacro:macro>'
+    head = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+    found = lint(
+        expander, tmp_path / "r.xacro", f'{head}{macro}<xacro:leg/>\n<xacro:leg/><link name="knee"/></robot>'
+    )
+    said = [each.message for each in found if each.code == "NAM001"]
+    assert said == [
+        "there is another link `hip` in robot `r`, and 1 more like this",
+        "there is another link `knee` in robot `r`",
+    ]
+
+
 def test_a_forgotten_dollar_in_an_included_file_is_one_mistake(tmp_path: Path) -> None:
     (tmp_path / "drive.xacro").write_text(
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="drive" params="name">\n'

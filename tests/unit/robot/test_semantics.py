@@ -148,6 +148,19 @@ def test_the_robot_of_the_assistant_has_another_name(package: Path) -> None:
     assert found(configured, ARM.replace("shoulder", "hip"), robot="my_arm") == []
 
 
+def test_another_robot_of_the_name_is_not_taken_while_that_of_the_assistant_is_not_here(
+    package: Path,
+) -> None:
+    (package / "package.xml").write_text("<package><name>q</name></package>")
+    (package / ".git").mkdir()
+    wrong = ARM + '<group name="more"><link name="uper"/></group>'
+    (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: made/arm_2.urdf\n")
+    assert found(package, ARM) == []
+    assert found(package, wrong) == []
+    (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: made/arm.urdf\n")
+    assert found(package, wrong) == [("SRD001", "uper")]
+
+
 def test_a_robot_of_another_name_is_found_by_the_name_of_its_file(package: Path) -> None:
     (package / "other.urdf").write_text(ROBOT.format("").replace('"arm"', '"leg"'))
     virtual = '<virtual_joint name="float" type="floating" parent_frame="map" child_link="base"/>'

@@ -73,6 +73,17 @@ def test_a_model_of_another_package_of_the_project_is_found_the_nearest_first(tm
     assert locate(world, "model://lamp/lamp.sdf").path is None, "without model.config it is a folder only"
 
 
+def test_a_python_package_has_its_files_beside_its_modules(tmp_path: Path) -> None:
+    package = {
+        "work/package.xml": "<package><name>hand</name></package>",
+        "work/src/hand/meshes/palm.stl": "",
+        "work/urdf/hand.urdf": '<robot name="r"/>',
+    }
+    write(tmp_path, package)
+    found = locate(opened(tmp_path / "work/urdf/hand.urdf"), "package://hand/meshes/palm.stl").path
+    assert found == tmp_path / "work/src/hand/meshes/palm.stl"
+
+
 def test_packages_export_their_media_to_each_other(tmp_path: Path) -> None:
     write(tmp_path / "a", {"package.xml": "<package><name>a</name></package>", "models/main.sdf": MODEL})
     write(tmp_path / "b", {"package.xml": "<package><name>b</name></package>", "Media/sky.dae": ""})

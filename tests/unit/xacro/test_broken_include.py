@@ -72,3 +72,15 @@ def test_a_definition_without_the_prefix_is_one_diagnostic(
     assert alone.message.endswith(f" is not defined here: part.xacro:{line} lacks the prefix `xacro:`")
     of_xacro = [each for each in found(tmp_path) if each[0].startswith("XAC")]
     assert of_xacro == [("XAC012", "part.xacro", 1), ("XAC012", "part.xacro", 0)]
+
+
+def test_a_part_calls_a_macro_of_its_includer_without_the_prefix(tmp_path: Path) -> None:
+    part = f"{HEAD}\n<leg side='left'/><screw size='3'/>\n</robot>"
+    (tmp_path / "part.xacro").write_text(part)
+    macro = '<xacro:macro name="leg" params="side"><link name="${side}"/></xacro:macro>'
+    (tmp_path / "main.urdf.xacro").write_text(
+        f'{HEAD}\n{macro}<xacro:include filename="part.xacro"/></robot>'
+    )
+    assert [each for each in found(tmp_path) if each[0] == "XAC012"] == [("XAC012", "part.xacro", 0)]
+    (tmp_path / "main.urdf.xacro").write_text(f"{HEAD}\n{macro}</robot>")
+    assert [each for each in found(tmp_path) if each[0] == "XAC012"] == []

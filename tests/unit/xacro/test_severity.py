@@ -29,6 +29,12 @@ def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found
     return [(each.code, each.severity.value) for each in run.diagnostics]
 
 
+BRANCH = (
+    '<xacro:arg name="f" default="-"/><xacro:property name="f" value="$(arg f)"/><link name="a"/>'
+    '<xacro:if value="${{f != \'-\'}}"><xacro:include filename="{}.xacro"/></xacro:if>'
+)
+
+
 @pytest.mark.parametrize(
     ("content", "expected"),
     [
@@ -42,6 +48,8 @@ def found(folder: Path, text: str = "", name: str = "robot.urdf.xacro") -> Found
         ('<xacro:include filename="parts/*.xacro" optional="true"/><link name="a"/>', []),
         ('<xacro:include filename="parts/a.xacro"/><link name="a"/>', [("XAC001", "error")]),
         ('<xacro:include filename="/etc/no/such/a.xacro"/><link name="a"/>', [("XAC001", "warning")]),
+        (BRANCH.format("a"), [("XAC001", "warning")]),
+        (BRANCH.format("${f}_cal"), []),
         ('<link name="$(env NOT_SET_HERE)"/>', [("XAC001", "warning")]),
     ],
 )

@@ -47,12 +47,15 @@ def folder(tmp_path: Path) -> Path:
 def test_names_that_an_unknown_package_may_define_are_not_missing(folder: Path) -> None:
     text = (
         f'<robot name="r" {XACRO}><xacro:include filename="$(find nowhere_near)/m.xacro"/>'
-        '<xacro:macro name="scanner_mount" params="side"><xacro:{}/></xacro:macro></robot>'
+        '<xacro:macro name="scanner_mount" params="side"><link name="${{side}}"/></xacro:macro>'
+        '<xacro:macro name="{}" params=""><xacro:{}/></xacro:macro></robot>'
     )
-    (folder / "a.xacro").write_text(text.format("scanner"))
+    (folder / "a.xacro").write_text(text.format("head", "scanner"))
     assert codes(folder, "a.xacro") == []
-    (folder / "a.xacro").write_text(text.format('scaner_mount side="left"'))
+    (folder / "a.xacro").write_text(text.format("head", 'scaner_mount side="left"'))
     assert codes(folder, "a.xacro") == ["XAC003"]
+    (folder / "a.xacro").write_text(text.format("scan_mount", "scanmount"))
+    assert codes(folder, "a.xacro") == []
 
 
 def test_an_included_robot_may_use_what_the_includer_has(folder: Path) -> None:
