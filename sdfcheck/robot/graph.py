@@ -374,14 +374,23 @@ class Link(Node):
     @lazy
     def skin(self) -> Skin | None:
         """The surface of its visuals, or else of its collisions, in its robot of URDF at rest; None if not known."""
-        return _skin_of(self, self.visuals or self.collisions)
+        return _skin_of(self, self.visuals or self.collisions, self.at_rest)
+
+    @lazy
+    def filled(self) -> tuple[float, ...] | None:
+        """The moments ixx, iyy, izz, ixy, ixz and iyz (m²) that 1 kg has when it fills its visuals evenly.
+
+        Of its collisions if it has no visuals; about their center, along the axes of the link. None if not known.
+        """
+        skin = _skin_of(self, self.visuals or self.collisions, Origin())
+        return skin.filled if skin is not None else None
 
     def is_in(self, other: Link, share: float) -> bool:
         """Is more than that share of the surface of its collisions in those of another one, or the other way around?
 
         In their robot of URDF at rest.
         """
-        mine, theirs = (_skin_of(link, link.collisions) for link in (self, other))
+        mine, theirs = (_skin_of(link, link.collisions, link.at_rest) for link in (self, other))
         if mine is None or theirs is None:
             return False
         return mine.share_in(theirs, share) > share or theirs.share_in(mine, share) > share
@@ -535,11 +544,10 @@ def _with_fixed(link: Link) -> Box | None:
     return around(found) if link.extent is not None else None
 
 
-def _skin_of(link: Link, shapes: Sequence[Shape]) -> Skin | None:
-    """The surface of shapes of a link in its robot of URDF at rest; None if not known."""
+def _skin_of(link: Link, shapes: Sequence[Shape], frame: Origin | None) -> Skin | None:
+    """The surface of shapes of a link that has this pose; None if not known."""
     from sdfcheck.robot.motion.mechanism import placed
 
-    frame = link.at_rest
     if frame is None or link.document.kind is Kind.XACRO or link.is_unfinished:
         return None
     try:

@@ -1358,6 +1358,20 @@ PROBLEMS = {
             )
         },
     ),
+    "a CAD program gives products of inertia with the other sign": Problem(
+        "INR022",
+        robot(
+            ARM.replace(
+                '<inertia ixx="0.014" iyy="0.014" izz="0.001" ixy="0" ixz="0" iyz="0"/>',
+                '<inertia ixx="0.0137" iyy="0.0108" izz="0.0038" ixy="0" ixz="0" iyz="@@0.00544"/>',
+            ).replace(
+                ROD,
+                '<origin xyz="0 0 0.2" rpy="0.5 0 0"/><geometry><cylinder radius="0.04" length="0.4"/></geometry>',
+            )
+        ),
+        "-",
+        "",
+    ),
 }
 
 
