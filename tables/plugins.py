@@ -26,8 +26,6 @@ GUI = frozenset({"gz-gui", "gz-sim gui"})
 GOES_ON = re.compile(r"\bused\b|goes on|^warning|^no check|^silent|^empty|^$")
 """The words for a missing parameter where the plugin runs without it."""
 KINDS = frozenset({"joint", "link"})
-LABELS = re.compile("frame", re.IGNORECASE)
-"""Names of frames are labels for tf, never compared with the model."""
 
 
 def table(facts: list[Facts]) -> str:
@@ -51,7 +49,7 @@ def lines(plugin: Facts) -> Iterator[str]:
     parameters = plugin.get("parameters") or []
     for parameter in parameters:
         refers = parameter.get("refers")
-        if not refers or refers["scope"] != "model" or LABELS.search(parameter["name"]):
+        if not refers or refers["scope"] != "model":
             continue
         if set(refers["kind"]) <= KINDS:
             scoped = "scoped" if refers["scoped_names"] else ""

@@ -3,18 +3,39 @@ from collections.abc import Iterator
 from sdfcheck import Bad, Diagnostic, Good, Joint, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
+STEERED = "".join(
+    f'<link name="{side}_knuckle"/><joint name="{side}_steer" type="revolute"><origin xyz="0.3 {y} 0"/>'
+    f'<parent link="base"/><child link="{side}_knuckle"/><axis xyz="{{{side}}}"/>'
+    '<limit lower="-1" upper="1" effort="9" velocity="1"/></joint>'
+    for side, y in (("left", 0.17), ("right", -0.17))
+)
+
+
+def steered(*, left: str, right: str) -> str:
+    """A car with such axes of steering."""
+    plugin = "".join(
+        f"<{side}_steering_joint>{side}_steer</{side}_steering_joint>" for side in ("left", "right")
+    )
+    made = rover().replace("<gazebo>", STEERED.format(left=left, right=right) + "<gazebo>")
+    return (
+        made.replace("diff-drive", "ackermann-steering")
+        .replace("DiffDrive", "AckermannSteering")
+        .replace("</plugin>", plugin + "</plugin>")
+    )
+
 
 class OpposedDriveAxes(Rule):
-    """The wheels of a differential drive turn in opposite directions.
+    """The wheels of a drive turn in opposite directions, or its steering turns the other way.
 
-    The plugin gives both the same speed to drive straight on. With opposite axes the robot spins on its place, and
-    drives on the command to turn.
+    The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
+    and drives on the command to turn. It steers to the left by positive angles: about an axis that points down they
+    steer to the right.
     """
 
     code = "GEO010"
     name = "opposed-drive-axes"
     severity = Severity.WARNING
-    remedy = """Turn the axis of one wheel around: `0 1 0` for both in a robot that drives along x.
+    remedy = """Turn the axis around: `0 1 0` for all wheels in a robot that drives along x, `0 0 1` to steer.
 
     The axis is in the frame of the joint, so a wheel that is mounted by `rpy="… … 3.14159"` or turned by
     its pose needs `0 -1 0`. The speed is positive forwards when the axes point to the left of the robot.
@@ -28,12 +49,16 @@ class OpposedDriveAxes(Rule):
             says="the axes of `left_joint` and `right_joint` are opposite, and drive `gz::sim::systems::DiffDrive`"
             " turns both alike",
         ),
+        Bad(
+            steered(left="«0 0 -1»", right="0 0 -1"),
+            says="the axis of `left_steer` points down: a command to turn left steers to the right",
+        ),
     )
-    good = (Good(rover()),)
+    good = (Good(rover()), Good(steered(left="0 0 1", right="0 0 1")))
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return bool(opposed(plugin))
+        return bool(opposed(plugin) or hanging(plugin))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         drive = plugin.drive
@@ -45,6 +70,15 @@ class OpposedDriveAxes(Rule):
                 f" `{plugin.name}` turns both alike",
                 labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
             )
+        for joint in hanging(plugin)[:1]:
+            message = f"the axis of `{joint.name}` points down: a command to turn left steers to the right"
+            yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
+
+
+def hanging(plugin: Plugin) -> list[Joint]:
+    """The steering joints whose axes point down."""
+    steering = plugin.drive.steering if plugin.drive is not None else ()
+    return [each.joint for each in steering if each.axis[2] < -0.5]
 
 
 def opposed(plugin: Plugin) -> list[Joint]:

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Ros2Control, Rule, Severity, Value, rename, suggest
-from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT
+from sdfcheck import Bad, Diagnostic, Element, Good, Ros2Control, Rule, Severity, Value, rename, suggest
+from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT, IN_ROBOT
 
 PARAMETERS = ("initial_value", "max", "min")
 INITIAL = frozenset({"initial_effort", "initial_position", "initial_velocity"})
@@ -13,7 +13,8 @@ class IgnoredControlElement(Rule):
 
     The parser takes the elements that it knows and ignores all others in silence, so that a misspelled
     interface is not there and a misspelled reduction stays at 1. So it is with a parameter whose value is an
-    attribute, and with one of an interface that is nearly `min`, `max` or `initial_value`.
+    attribute, and with one of an interface that is nearly `min`, `max` or `initial_value`. Of two plugins in one
+    `hardware` it takes the first.
     """
 
     code = "R2C006"
@@ -58,6 +59,12 @@ class IgnoredControlElement(Rule):
             unsafe=True,
             says="nothing reads `initial_position` of interface `position`; did you mean `initial_value`?",
         ),
+        Bad(
+            '<ros2_control name="arm" type="system"><hardware><plugin>a/B</plugin><«plugin»>c/D</plugin></hardware>'
+            '<joint name="lift"/></ros2_control>',
+            scaffold=IN_ROBOT,
+            says="the hardware is `a/B`; this second plugin is ignored",
+        ),
     )
     good = (
         Good('<state_interface name="torque"><param name="initial_value">1</param></state_interface>'),
@@ -67,7 +74,7 @@ class IgnoredControlElement(Rule):
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return any(unread_parameters(block)) or any(
+        return bool(second_plugins(block) or any(unread_parameters(block))) or any(
             holder is not block.element and ":" not in child.name for child, holder, _ in block.foreign
         )
 
@@ -83,6 +90,10 @@ class IgnoredControlElement(Rule):
             if not near and element.name in PARAMETERS and "param" in place.children:
                 message += f'; write it as `<param name="{element.name}">`'
             yield self.diagnostic(element, message, meant=near, fix=rename(near, element))
+        for plugin in second_plugins(block):
+            first = block.plugin_value
+            name = "" if first is None else first.text.strip()
+            yield self.diagnostic(plugin, f"the hardware is `{name}`; this second plugin is ignored")
         for value in unread_parameters(block):
             interface = value.element.parent
             if value.attribute == "value" or interface is None:
@@ -94,6 +105,11 @@ class IgnoredControlElement(Rule):
                     f"nothing reads `{value.text}` of interface `{interface.attributes.get('name', '')}`"
                 )
                 yield self.diagnostic(value, message, meant=meant(value.text))
+
+
+def second_plugins(block: Ros2Control) -> list[Element]:
+    """The plugins of its hardware after the first."""
+    return [] if block.hardware is None else list(block.hardware.children("plugin"))[1:]
 
 
 def meant(parameter: str) -> str | None:

@@ -19,6 +19,10 @@ MERGED = (
     '<link name="fin"/><joint name="j" type="fixed"><parent link="base"/><child link="fin"/></joint><gazebo>'
     f"{LIFT}</gazebo>"
 )
+POSE = (
+    '<gazebo><plugin name="p" filename="libgazebo_ros_p3d.so"><bodyName>base</bodyName>'
+    "<topicName>pose</topicName><frameName>{}</frameName></plugin></gazebo>"
+)
 
 
 class UnknownPluginReference(Rule):
@@ -76,6 +80,11 @@ class UnknownPluginReference(Rule):
             says="does not split `left_joint` at `::`, and finds no joint of this name; did you mean `wheel`?",
         ),
         Bad(
+            POSE.format("«odom»"),
+            scaffold=IN_ROBOT,
+            says="`frameName` of plugin `p` names link `odom`, which is not in robot `r`",
+        ),
+        Bad(
             WHEEL + DRIVE.format("«arm::wheel»") + '<model name="arm"><link name="l"/></model>',
             says="does not split `left_joint` at `::`",
         ),
@@ -87,6 +96,7 @@ class UnknownPluginReference(Rule):
             why="an include that could not be read may have it",
         ),
         Good(ROS_DRIVE.format("continuous", "wheel"), scaffold=IN_ROBOT),
+        Good(POSE.format("/map"), scaffold=IN_ROBOT, why="the world of Gazebo"),
         Good(MERGED.format("base"), scaffold=IN_ROBOT),
         Good(
             '<plugin name="mud" filename="libMud.so"><link_name>atlas::foot</link_name></plugin>',

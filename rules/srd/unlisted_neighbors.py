@@ -15,18 +15,38 @@ ROBOT = {
     + "</robot>",
     "package.xml": "<package><name>arm</name></package>",
 }
+FINGER = (
+    '<link name="{0}">'
+    + SOLID
+    + '</link><joint name="{0}_joint" type="prismatic"><origin xyz="0 {1} 0"/><parent link="hand"/>'
+    '<child link="{0}"/><axis xyz="0 1 0"/><limit lower="{2}" upper="0.2" effort="9" velocity="1"/></joint>'
+)
 APART = '<child link="upper"/><origin xyz="0 0 1"/>'
 OFF = '<{} link1="{}" link2="{}" reason="Adjacent"/>'
 OTHER = OFF.format("disable_collisions", "hand", "upper")
+ALL = (
+    '<group name="tool"><joint name="left_joint"/></group>'
+    + OTHER
+    + OFF.format("disable_collisions", "base", "upper")
+    + OFF.format("disable_collisions", "hand", "left")
+    + OFF.format("«disable_collisions»", "hand", "right")
+)
+
+
+def gripper(*, apart: float, lower: float = 0.0) -> dict[str, str]:
+    """The robot with two fingers."""
+    fingers = FINGER.format("left", 0, 0) + FINGER.format("right", apart, lower)
+    return ROBOT | {"arm.urdf": ROBOT["arm.urdf"].replace("</robot>", fingers + "</robot>")}
 
 
 class UnlistedNeighbors(Rule):
-    """Two links next to each other may collide, where other neighbors may not.
+    """Two links that touch in any case may collide, where others may not.
 
     MoveIt looks for collisions between all links but the pairs that `disable_collisions` lists, neighbors too. The
     shapes of two links with a joint between them nearly always touch there, so that every state of the robot is one
     in collision, and no motion can be planned. Its setup assistant lists all neighbors, also those with links without
-    collisions between them; one that is missing was added to the robot later, or its link renamed.
+    collisions between them; one that is missing was added to the robot later, or its link renamed. So do two fingers
+    that overlap where the gripper is closed.
     """
 
     code = "SRD012"
@@ -46,6 +66,12 @@ class UnlistedNeighbors(Rule):
             file=FILE,
             files=ROBOT,
             says="links `base` and `upper` are neighbors, and their collisions are not disabled",
+        ),
+        Bad(
+            ALL,
+            file=FILE,
+            files=gripper(apart=0.06),
+            says="links `left` and `right` are in each other with all joints at 0, and their collisions are not",
         ),
     )
     good = (
@@ -68,17 +94,33 @@ class UnlistedNeighbors(Rule):
             files=ROBOT | {"arm.urdf": ROBOT["arm.urdf"].replace('<child link="upper"/>', APART)},
             why="they are apart",
         ),
+        Good(
+            ALL.replace("«", "").replace("»", ""),
+            file=FILE,
+            files=gripper(apart=0.1),
+            why="the fingers touch",
+        ),
+        Good(
+            ALL.replace("«", "").replace("»", ""),
+            file=FILE,
+            files=gripper(apart=0.06, lower=0.05),
+            why="the finger is never there",
+        ),
     )
 
     @staticmethod
     def applies(semantics: Semantics) -> bool:
-        return any(True for _ in semantics.unlisted_neighbors)
+        return any(True for _ in semantics.unlisted_neighbors) or any(semantics.unlisted_siblings)
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
-        (above, link), *others = semantics.unlisted_neighbors
-        message = (
-            f"links `{above.name}` and `{link.name}` are neighbors, and their collisions are not disabled"
-        )
-        message += f"; the same holds for {len(others)} more pairs" if others else ""
         *_, last = semantics.adjacent_pairs
-        yield self.diagnostic(last, message)
+        for pairs, what in (
+            (semantics.unlisted_neighbors, "are neighbors"),
+            (semantics.unlisted_siblings, "are in each other with all joints at 0"),
+        ):
+            for (one, other), *others in filter(None, [list(pairs)]):
+                message = (
+                    f"links `{one.name}` and `{other.name}` {what}, and their collisions are not disabled"
+                )
+                message += f"; the same holds for {len(others)} more pairs" if others else ""
+                yield self.diagnostic(last, message)

@@ -20,14 +20,19 @@ INTERFACES = tuple(
 )
 EFFORT = "<hardwareInterface>{}</hardwareInterface>"
 ONE = '<joint name="j">{}</joint><actuator name="m">{}</actuator>'
+TYPE = "<type>transmission_interface/SimpleTransmission</type>"
+WHOLE = JOINT.format(ONE.format(EFFORT.format("hardware_interface/EffortJointInterface"), RATIO))
+OF_OLD = WHOLE.replace(TYPE, "").replace(
+    'name="t"', 'name="t" {}="transmission_interface/SimpleTransmission"'
+)
 
 
 class MisspelledTransmission(Rule):
     """The type of a transmission, or the interface of its joint, is nearly one that ros_control has.
 
-    ros_control skips such a transmission with an error. Its joint has no interface, and a controller that asks for it
-    is not started: "could not find joint in hardware_interface…". In a package of ROS 2, where
-    nothing reads it, that is a warning.
+    Or the type is an attribute, as in robots of ROS before Hydro. ros_control skips such a transmission with an error.
+    Its joint has no interface, and a controller that asks for it is not started: "could not find joint in
+    hardware_interface…". In a package of ROS 2, where nothing reads it, that is a warning.
     """
 
     code = "URD028"
@@ -55,9 +60,18 @@ class MisspelledTransmission(Rule):
             unsafe=True,
             says="did you mean `hardware_interface/EffortJointInterface`?",
         ),
+        Bad(
+            OF_OLD.format("«type»"),
+            says="ros_control reads the type of transmission `t` from an element `type`, not from an attribute",
+        ),
     )
     good = (
-        Good(JOINT.format(ONE.format(EFFORT.format("hardware_interface/EffortJointInterface"), RATIO))),
+        Good(WHOLE),
+        Good(
+            '<transmission name="t" type="SimpleTransmission"><joint name="j"/><actuator name="m"/></transmission>'
+            '<link name="a"/><joint name="j" type="fixed"><parent link="base"/><child link="a"/></joint>',
+            why="Drake reads the attribute",
+        ),
         Good(
             JOINT.format(ONE.format(EFFORT.format("my_hardware/EffortJointInterface"), RATIO)),
             why="of another package",
@@ -66,13 +80,25 @@ class MisspelledTransmission(Rule):
 
     @staticmethod
     def applies(transmission: Transmission) -> bool:
-        return next(misspelled(transmission), None) is not None
+        return is_of_old(transmission) or next(misspelled(transmission), None) is not None
 
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
         severity = Severity.WARNING if transmission.is_of_ros_2 else None
         for value, meant in misspelled(transmission):
             message = f"ros_control has no `{value.text.strip()}`"
             yield self.diagnostic(value, message, meant=meant, severity=severity)
+        kind = transmission.type_value
+        if is_of_old(transmission) and kind is not None:
+            title = transmission.title
+            message = f"ros_control reads the type of {title} from an element `type`, not from an attribute"
+            advice = f"write `<type>{kind.text.strip()}</type>` into it"
+            yield self.diagnostic(kind.name_span, message, help=advice, severity=severity)
+
+
+def is_of_old(transmission: Transmission) -> bool:
+    """Is its type an attribute, and ros_control to read it?"""
+    is_named = any(joint.has("hardwareInterface") for joint in transmission.joint_elements)
+    return is_named and transmission.attribute("type") is not None and not transmission.has("type")
 
 
 def misspelled(transmission: Transmission) -> Iterator[tuple[Value, str]]:

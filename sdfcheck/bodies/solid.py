@@ -184,6 +184,8 @@ _LEVELS = (100, 400, POINTS)
 _GOLDEN = (0.754877666246693, 0.569840290998053)
 """Steps that spread points over a square, whatever their number (the plastic constant)."""
 _SIDES = 24
+_THIN = 1e-3
+"""Of its surface and size: less volume may be none."""
 _BYTE = 255
 """The bounds have so many steps along each axis, and so have directions."""
 
@@ -206,6 +208,23 @@ class Skin(NamedTuple):
         normals = self.normals * np.prod(scale) / scale
         stretch = np.linalg.norm(normals, axis=1)
         return Skin(self.points * scale, normals / stretch[:, None], self.areas * stretch)
+
+    @property
+    def filled(self) -> tuple[float, ...] | None:
+        """The moments ixx, iyy, izz, ixy, ixz and iyz about its center (m²), filled evenly with 1 kg; about right.
+
+        None where nothing is inside.
+        """
+        flux = self.normals * self.areas[:, None]
+        volume = float((self.points * flux).sum()) / 3
+        if not abs(volume) > _THIN * float(self.areas.sum()) * self.size:
+            return None
+        points = self.points - (self.points**2 * flux).sum(axis=0) / 2 / volume
+        squares = (points**3 * flux).sum(axis=0) / 3 / volume
+        pairs = ((0, 1), (0, 2), (1, 2))
+        flows = [points[:, i] * points[:, j] * (points * flux)[:, (i, j)].sum(axis=1) for i, j in pairs]
+        products = [-float(flow.sum()) / 4 / volume for flow in flows]
+        return (*(float(squares.sum() - square) for square in squares), *products)
 
     def some(self, count: int) -> Skin:
         """So many of its points, for all of its surface."""

@@ -374,18 +374,26 @@ class Link(Node):
     @lazy
     def skin(self) -> Skin | None:
         """The surface of its visuals, or else of its collisions, in its robot of URDF at rest; None if not known."""
-        from sdfcheck.robot.motion.mechanism import placed
+        return _skin_of(self, self.visuals or self.collisions, self.at_rest)
 
-        frame = self.at_rest
-        if frame is None or self.document.kind is Kind.XACRO or self.is_unfinished:
-            return None
-        try:
-            return placed(
-                (shape.geometry.skin, frame.followed_by(_placement_in(shape, self)))
-                for shape in self.visuals or self.collisions
-            )
-        except DescriptionError:
-            return None
+    @lazy
+    def filled(self) -> tuple[float, ...] | None:
+        """The moments ixx, iyy, izz, ixy, ixz and iyz (m²) that 1 kg has when it fills its visuals evenly.
+
+        Of its collisions if it has no visuals; about their center, along the axes of the link. None if not known.
+        """
+        skin = _skin_of(self, self.visuals or self.collisions, Origin())
+        return skin.filled if skin is not None else None
+
+    def is_in(self, other: Link, share: float) -> bool:
+        """Is more than that share of the surface of its collisions in those of another one, or the other way around?
+
+        In their robot of URDF at rest.
+        """
+        mine, theirs = (_skin_of(link, link.collisions, link.at_rest) for link in (self, other))
+        if mine is None or theirs is None:
+            return False
+        return mine.share_in(theirs, share) > share or theirs.share_in(mine, share) > share
 
     @lazy
     def look(self) -> tuple[object, ...]:
@@ -534,6 +542,20 @@ def _with_fixed(link: Link) -> Box | None:
                     return None
                 found.append(of_points(placed.applied_to((x, y, z)) for x, y, z in child.extent.corners()))
     return around(found) if link.extent is not None else None
+
+
+def _skin_of(link: Link, shapes: Sequence[Shape], frame: Origin | None) -> Skin | None:
+    """The surface of shapes of a link that has this pose; None if not known."""
+    from sdfcheck.robot.motion.mechanism import placed
+
+    if frame is None or link.document.kind is Kind.XACRO or link.is_unfinished:
+        return None
+    try:
+        return placed(
+            (shape.geometry.skin, frame.followed_by(_placement_in(shape, link))) for shape in shapes
+        )
+    except DescriptionError:
+        return None
 
 
 def _placement_in(part: Part, link: Link) -> Origin:
@@ -1196,6 +1218,19 @@ class Joint(Node):
         return (*(() if self.is_urdf else self._parts("sensor")), *blocks)
 
     @property
+    def keeps_forces(self) -> bool:
+        """Does Gazebo Classic work out the forces in it, for itself or for a sensor on it?"""
+        if any(sensor.type == "force_torque" for sensor in self.sensors):
+            return True
+        if self.is_urdf:
+            return any(block.is_on("provideFeedback") for block in self.gazebo_blocks)
+        physics = list(self.children("physics"))
+        holders = (self.element, *physics, *(ode for each in physics for ode in each.children("ode")))
+        return any(
+            is_true(each.content) for holder in holders for each in holder.children("provide_feedback")
+        )
+
+    @property
     def gazebo_blocks(self) -> tuple[GazeboBlock, ...]:
         """The ``<gazebo>`` blocks about it, in URDF."""
         model = self.model
@@ -1673,7 +1708,7 @@ _USUAL = {
     "arm/gripper_link": "link",
 }
 """Parameter of a plugin that is not known → the kind of thing that it names."""
-_ALWAYS = frozenset({"", "world", "canonical", "__default__"})
+_ALWAYS = frozenset({"", "world", "/world", "map", "/map", "canonical", "__default__"})
 
 
 class _Listed(Value):

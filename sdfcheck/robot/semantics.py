@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from itertools import chain
+from itertools import chain, combinations
 from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -40,6 +40,11 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
+_CLOSE = 1e-3
+"""So far apart (rad or m), a joint and its place are the same."""
+_IN = 0.1
+"""Of the surface of a link: so much may be inside of another one where the points are few."""
+_MOST_ON_ONE = 20
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A link or joint in a branch of xacro that the arguments do not take."""
 
@@ -169,20 +174,49 @@ class Semantics:
         robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
         if robot is None or any(self._unfound):
             return
-        off = {
+        known: dict[str, Link | None] = {}
+        for link in robot.links:
+            above = _solid_above(link, known) if link.collisions else None
+            if above is not None and self._is_checked(above, link) and not above.distance_to(link):
+                yield above, link
+
+    @property
+    def unlisted_siblings(self) -> Iterator[tuple[Link, Link]]:
+        """Links on one other that are in each other where their joints are at 0, and whose collisions stay on.
+
+        The pairs of both with the other one are off.
+        """
+        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
+        if robot is None or any(self._unfound):
+            return
+        on_one: dict[str, list[Link]] = {}
+        for link in robot.links:
+            above = _parent(link) if link.collisions and _rests_at_zero(link) else None
+            if above is not None and frozenset((link.name, above.name)) in self._pairs_off:
+                on_one.setdefault(above.name, []).append(link)
+        for links in on_one.values():
+            for one, other in combinations(links[:_MOST_ON_ONE], 2):
+                if self._is_checked(one, other) and not one.distance_to(other) and one.is_in(other, _IN):
+                    yield one, other
+
+    @lazy
+    def _pairs_off(self) -> set[frozenset[str]]:
+        return {
             frozenset(each.attributes.get(end, "").strip() for end in ("link1", "link2"))
             for each in self.element.children("disable_collisions")
         }
-        free = {
+
+    @lazy
+    def _links_off(self) -> set[str]:
+        return {
             each.attributes.get("link", "") for each in self.element.children("disable_default_collisions")
         }
-        known: dict[str, Link | None] = {}
-        for link in robot.links:
-            above = _solid_above(link, known) if link.collisions and link.name not in free else None
-            if above is None or above.name in free or frozenset((link.name, above.name)) in off:
-                continue
-            if self.groups_of.keys() & {above.name, link.name} and not above.distance_to(link):
-                yield above, link
+
+    def _is_checked(self, one: Link, other: Link) -> bool:
+        """Does MoveIt look for collisions between two links?"""
+        names = {one.name, other.name}
+        is_off = frozenset(names) in self._pairs_off or bool(names & self._links_off)
+        return not is_off and bool(self.groups_of.keys() & names)
 
     @property
     def idle_states(self) -> Iterator[tuple[Value, str]]:
@@ -200,6 +234,21 @@ class Semantics:
             elif joint.type == "fixed":
                 seen.add(state)
                 yield value, "fixed"
+
+    @property
+    def unfollowed(self) -> Iterator[tuple[StateValue, str, float]]:
+        """The values of joints that follow others, with the leader, and where its value in the state takes them."""
+        given = {
+            (v.state, v.joint.attributes.get("name", "").strip()): v.value.number for v in self.state_values
+        }
+        for state in self.state_values:
+            joint = self.joint_of(state)
+            mimic = joint.axis.mimic if joint is not None and joint.axis_count == 1 else None
+            leader = given.get((state.state, mimic.leader_name)) if mimic is not None else None
+            if mimic is not None and leader is not None:
+                place = mimic.multiplier.number * leader + mimic.offset.number
+                if abs(place - state.value.number) > _CLOSE:
+                    yield state, mimic.leader_name, place
 
     @property
     def unknown_virtual_types(self) -> Iterator[Value]:
@@ -353,6 +402,16 @@ def _solid_above(link: Link, known: dict[str, Link | None]) -> Link | None:
     found = known[above.name] if above is not None and not above.collisions else above
     known.update(dict.fromkeys(passed, found))
     return found if found is not link else None
+
+
+def _rests_at_zero(link: Link) -> bool:
+    """Is its joint at 0 where MoveIt starts?"""
+    joint = link.parent_joints[0] if len(link.parent_joints) == 1 else None
+    mimic = joint.axis.mimic if joint is not None and joint.axis_count == 1 else None
+    if joint is None or joint.axis_count != 1 or (mimic is not None and mimic.offset.number != 0):
+        return False
+    low, high = joint.axis.limit.range
+    return low <= 0 <= high
 
 
 def _parent(link: Link) -> Link | None:

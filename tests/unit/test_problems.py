@@ -1199,6 +1199,179 @@ PROBLEMS = {
             )
         },
     ),
+    "a true pose is given in a frame of the odometry": Problem(
+        "RES014",
+        robot(
+            ARM,
+            '<gazebo><plugin name="truth" filename="libgazebo_ros_p3d.so"><bodyName>base</bodyName>\n'
+            "<topicName>pose</topicName><frameName>@@</frameName></plugin></gazebo>",
+        ),
+        "odom",
+        "world",
+    ),
+    "the hardware of a real arm is beside that of Gazebo": Problem(
+        "R2C006",
+        robot(
+            ARM,
+            CONTROL.format(
+                "gz_ros2_control/GazeboSimSystem</plugin>\n@@<plugin>acme_arm/Hardware", "shoulder"
+            ),
+            CONTROLLED,
+        ),
+        "",
+        '</hardware>\n</ros2_control>\n<ros2_control name="real" type="system"><hardware>',
+    ),
+    "a joint starts at 0, where it may not be": Problem(
+        "R2C022",
+        robot(
+            ARM.replace('lower="-1" upper="1"', 'lower="-3" upper="-0.5"'),
+            STATE.format("state", "position", "@@", "state", ""),
+            CONTROLLED,
+        ),
+        "",
+        '<param name="initial_value">-1</param>',
+    ),
+    "a transmission is written as in the first ROS": Problem(
+        "URD028",
+        robot(
+            ARM,
+            '<transmission name="t" @@\n<joint name="shoulder"><hardwareInterface>'
+            'hardware_interface/EffortJointInterface</hardwareInterface></joint>\n<actuator name="m">'
+            "<mechanicalReduction>1</mechanicalReduction></actuator></transmission>",
+        ),
+        'type="transmission_interface/SimpleTransmission">',
+        "><type>transmission_interface/SimpleTransmission</type>",
+    ),
+    "a car steers to the wrong side": Problem(
+        "GEO010",
+        robot(
+            CART,
+            *(
+                f'<link name="{side}_knuckle">{MASS}</link>\n<joint name="{side}_steering" type="revolute">'
+                f'<parent link="body"/><child link="{side}_knuckle"/><origin xyz="0.3 {y} 0"/>\n'
+                f'<axis xyz="0 0 {axis}"/><limit lower="-0.5" upper="0.5" effort="9" velocity="2"/></joint>\n'
+                for side, y, axis in (("left", 0.15, "@@1"), ("right", -0.15, 1))
+            ),
+            '<gazebo><plugin filename="gz-sim-ackermann-steering-system" name="gz::sim::systems::AckermannSteering">'
+            "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>\n"
+            "<left_steering_joint>left_steering</left_steering_joint>"
+            "<right_steering_joint>right_steering</right_steering_joint>\n<kingpin_width>0.3</kingpin_width>"
+            "<wheel_base>0.3</wheel_base><wheel_separation>0.3</wheel_separation><wheel_radius>0.07</wheel_radius>"
+            "<steering_limit>0.5</steering_limit></plugin></gazebo>",
+        ),
+        "-",
+        "",
+    ),
+    "the speed of a joint is copied from a data sheet": Problem(
+        "JNT014",
+        robot(ARM.replace('velocity="2"', 'velocity="@@"')),
+        "156",
+        "2.72",
+    ),
+    "a wrist has a plugin for forces alone": Problem(
+        "GAZ028",
+        robot(
+            ARM,
+            '<gazebo reference="shoulder"><implicitSpringDamper>1</implicitSpringDamper>@@</gazebo>\n<gazebo>'
+            '<plugin name="forces" filename="libgazebo_ros_ft_sensor.so"><jointName>shoulder</jointName>'
+            "<topicName>forces</topicName></plugin></gazebo>",
+        ),
+        "",
+        "<provideFeedback>1</provideFeedback>",
+        1,
+    ),
+    "a world has one system alone": Problem(
+        "GAZ029",
+        '<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">@@\n'
+        '<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>\n'
+        f'<model name="m"><link name="l"><pose>0 0 0.05 0 0 0</pose>{SDF_BODY}</link>\n'
+        f'<link name="lid"><pose>0 0 0.15 0 0 0</pose>{SDF_BODY}</link>\n'
+        '<joint name="hinge" type="revolute"><parent>l</parent><child>lid</child><axis><xyz>0 0 1</xyz><limit>'
+        "<lower>-1</lower><upper>1</upper></limit></axis></joint></model></world>\n</sdf>\n",
+        "",
+        '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>',
+        1,
+        ".sdf",
+    ),
+    "the origin of a cart is not on the floor": Problem(
+        "GEO024",
+        robot(
+            CART.replace("base_link", "base_footprint").replace(
+                '<child link="body"/>', '<child link="body"/><origin xyz="0 0 @@"/>'
+            ),
+            DRIVE,
+        ),
+        "0.1",
+        "0.07",
+        -2,
+    ),
+    "the center of the left leg is that of the right one": Problem(
+        "INR020",
+        robot(
+            ARM,
+            *(
+                f'<link name="{side}_leg"><inertial>\n<origin xyz="0 {center} -0.2"/><mass value="1"/>'
+                '<inertia ixx="0.02" iyy="0.02" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+                f'<collision><origin xyz="0 {at} -0.2"/><geometry><box size="0.1 0.1 0.4"/></geometry></collision>'
+                f'</link>\n<joint name="{side}_leg_joint" type="revolute"><parent link="base"/>'
+                f'<child link="{side}_leg"/><origin xyz="0 {y} -0.06"/><axis xyz="0 1 0"/>'
+                '<limit lower="-1" upper="1" effort="90" velocity="2"/></joint>\n'
+                for side, center, at, y in (("left", "@@0.03", 0.03, 0.12), ("right", "-0.03", -0.03, -0.12))
+            ),
+        ),
+        "-",
+        "",
+    ),
+    "a macro has a mass of its own": Problem(
+        "INR021",
+        robot(
+            ARM.replace(
+                '<inertia ixx="0.014" iyy="0.014" izz="0.001" ixy="0" ixz="0" iyz="0"/>',
+                '<inertia @@ ixy="0" ixz="0" iyz="0"/>',
+            )
+        ),
+        'ixx="0.0041200" iyy="0.0041200" izz="0.00024"',
+        'ixx="0.0137333" iyy="0.0137333" izz="0.0008"',
+    ),
+    "the fingers of a closed gripper may not collide": Problem(
+        "SRD012",
+        robot(
+            '<group name="tool"><joint name="left_slide"/><joint name="right_slide"/></group>\n@@'
+            '<disable_collisions link1="base" link2="upper" reason="Adjacent"/>\n'
+            '<disable_collisions link1="upper" link2="left" reason="Adjacent"/>\n'
+            '<disable_collisions link1="upper" link2="right" reason="Adjacent"/>'
+        ),
+        "",
+        '<disable_collisions link1="left" link2="right" reason="Default"/>',
+        2,
+        ".srdf",
+        {
+            "bot.urdf": robot(
+                ARM,
+                *(
+                    f'<link name="{side}">{MASS}<collision><geometry><box size="0.02 0.03 0.06"/></geometry>'
+                    f'</collision></link><joint name="{side}_slide" type="prismatic"><parent link="upper"/>'
+                    f'<child link="{side}"/><origin xyz="0 {y} 0.43"/><axis xyz="0 {way} 0"/>'
+                    '<limit lower="0" upper="0.03" effort="5" velocity="1"/></joint>'
+                    for side, y, way in (("left", 0.012, 1), ("right", -0.012, -1))
+                ),
+            )
+        },
+    ),
+    "a CAD program gives products of inertia with the other sign": Problem(
+        "INR022",
+        robot(
+            ARM.replace(
+                '<inertia ixx="0.014" iyy="0.014" izz="0.001" ixy="0" ixz="0" iyz="0"/>',
+                '<inertia ixx="0.0137" iyy="0.0108" izz="0.0038" ixy="0" ixz="0" iyz="@@0.00544"/>',
+            ).replace(
+                ROD,
+                '<origin xyz="0 0 0.2" rpy="0.5 0 0"/><geometry><cylinder radius="0.04" length="0.4"/></geometry>',
+            )
+        ),
+        "-",
+        "",
+    ),
 }
 
 

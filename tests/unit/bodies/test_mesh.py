@@ -20,6 +20,7 @@ from sdfcheck.bodies.mesh import Mesh, mesh_at, read_mesh, read_skin, skin_at
 from sdfcheck.bodies.solid import of_shape, together
 from sdfcheck.files.library import Shelves
 from sdfcheck.robot.graph import Model
+from sdfcheck.robot.motion.poses import about_axis
 from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import opened
 
@@ -425,6 +426,22 @@ def test_skins_of_shapes_know_what_is_near_and_inside(
     assert not skin.is_near(small.moved(moved(0.9)), 0.05)
     assert not skin.is_near(small.moved(moved(9.0)), 0.05)
     assert skin.distance_to(small.moved(moved(0.9))) == pytest.approx(0.3, abs=0.06)
+
+
+def test_a_skin_knows_the_moments_of_what_it_holds() -> None:
+    skin = of_shape("box", (0.6, 0.3, 0.2))
+    assert skin is not None
+    moments = np.diag([0.13, 0.40, 0.45]) / 12
+    place = moved(1)
+    place[:3, :3] = about_axis((0.0, 0.6, 0.8), 0.7)
+    for way in (1, -1):  # normals may point inwards
+        turned = skin._replace(normals=way * skin.normals).moved(place)
+        expected = place[:3, :3] @ moments @ place[:3, :3].T
+        assert turned.filled is not None
+        assert turned.filled[:3] == pytest.approx(np.diag(expected), rel=0.05)
+        assert turned.filled[3:] == pytest.approx(expected[(0, 0, 1), (1, 2, 2)], abs=0.001)
+    flat = skin.scaled((1, 1, 1e-6))
+    assert flat.filled is None
 
 
 def test_other_shapes_have_no_skin() -> None:
