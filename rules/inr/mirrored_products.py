@@ -1,7 +1,19 @@
 from collections.abc import Iterator, Sequence
 from math import cos, sin
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity, TextEdit, make_fix
+from sdfcheck import (
+    IN_URDF_LINK,
+    Bad,
+    Diagnostic,
+    Good,
+    Inertial,
+    Model,
+    Number,
+    Rule,
+    Severity,
+    TextEdit,
+    make_fix,
+)
 from sdfcheck_rules.inr.exchanged_moments import is_turned
 from sdfcheck_rules.inr.moments import is_weighed, is_written
 
@@ -12,6 +24,8 @@ LIKE = 1.35
 FITS, CONTRARY = 0.3, 1.5
 """How far products are off those of the shapes, of the largest one: once turned, and as they are."""
 NAMES = ("ixy", "ixz", "iyz")
+SHOWN = 3
+"""So many of the other links are marked."""
 
 
 def beam(sign: float) -> str:
@@ -37,12 +51,12 @@ class MirroredProducts(Rule):
     code = "INR022"
     name = "mirrored-products"
     severity = Severity.WARNING
-    remedy = """Turn the signs of `ixy`, `ixz` and `iyz` around.
+    remedy = """Turn the signs of `ixy`, `ixz` and `iyz` around, in all links that the finding counts.
 
     Of a CAD program that has a choice, take the notation in which the products are negative integrals.
     """
-    looks_at = (Inertial,)
-    selects = ("urdf:robot/link/inertial",)
+    looks_at = (Model,)
+    selects = ("urdf:robot",)
     scaffold = IN_URDF_LINK
 
     bad = (
@@ -56,19 +70,36 @@ class MirroredProducts(Rule):
     good = (Good(beam(1)), Good(beam(0), why="left out"))
 
     @staticmethod
-    def applies(inertial: Inertial) -> bool:
-        return is_lopsided(inertial.tensor) and is_written(inertial) and is_mirrored(inertial)
+    def applies(robot: Model) -> bool:
+        return next(mirrored(robot), None) is not None
 
-    def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        values = [inertial.moments[name] for name in NAMES if inertial.moments[name].number != 0]
+    def check(self, robot: Model) -> Iterator[Diagnostic]:
+        first, *others = mirrored(robot)
+        place, *rest = products(first)
+        message = f"the products of inertia are those of the shapes of {first.link.title} with the other sign"
+        if others:
+            message += f"; the same holds for {len(others)} more link{'s' * (len(others) > 1)}"
+        values = [value for each in (first, *others) for value in products(each)]
         edits = tuple(TextEdit(value.span, negative(value.text.strip())) for value in values)
-        first, *others = values
         yield self.diagnostic(
-            first,
-            f"the products of inertia are those of the shapes of {inertial.link.title} with the other sign",
-            labels=dict.fromkeys(others, "this too"),
+            place,
+            message,
+            labels=dict.fromkeys(rest, "this too")
+            | {each.moments_element: "the same" for each in others[:SHOWN]},
             fix=make_fix("turn the signs around", edits, unsafe=True),
         )
+
+
+def mirrored(robot: Model) -> Iterator[Inertial]:
+    """The inertials whose products have the other sign: one program wrote them all."""
+    for link in robot.links if robot.is_urdf else ():
+        if is_lopsided(link.inertial.tensor) and is_written(link.inertial) and is_mirrored(link.inertial):
+            yield link.inertial
+
+
+def products(inertial: Inertial) -> list[Number]:
+    """Its products of inertia that are not 0."""
+    return [inertial.moments[name] for name in NAMES if inertial.moments[name].number != 0]
 
 
 def is_lopsided(moments: Sequence[float]) -> bool:
@@ -78,7 +109,7 @@ def is_lopsided(moments: Sequence[float]) -> bool:
 
 def is_mirrored(inertial: Inertial) -> bool:
     """Are the moments those of the shapes, and the products with the other sign?"""
-    if not inertial.is_urdf or not is_weighed(inertial) or is_turned(inertial):
+    if not is_weighed(inertial) or is_turned(inertial):
         return False
     filled = inertial.link.filled
     if filled is None or not is_lopsided(filled):
