@@ -42,7 +42,8 @@ def _once_a_way(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
     groups: dict[object, list[Diagnostic]] = {}
     for each in diagnostics:
         is_way = len(each.labels) == 1 and each.labels[0].text.endswith(_WAY)
-        groups.setdefault((each.code, each.labels, each.origins) if is_way else each, []).append(each)
+        key = (each.code, each.labels, each.origins) if is_way else id(each)
+        groups.setdefault(key, []).append(each)
     return [
         first.without_fix._replace(message=f"{first.message}, and {len(more)} more like this")
         if more
