@@ -47,7 +47,7 @@ from sdfcheck.robot.values import (
     vector,
     word,
 )
-from sdfcheck.source.document import Element, Value
+from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -1835,10 +1835,8 @@ class Plugin(Part):
         found = self._generations
         if len(found) < 2:
             return found
-        from sdfcheck.files.packages import is_of_ros_2
-
         newer = tuple(facts for facts in found if facts.generation != "gazebo_ros1")
-        return newer if is_of_ros_2(self.document.path) else found
+        return newer if self.document.view(_is_of_ros_2) else found
 
     @lazy
     def generation(self) -> str:
@@ -1963,6 +1961,8 @@ class Plugin(Part):
         given = [parameter for parameter in self.parameters if ":" not in parameter.name]
         names = {parameter.name for parameter in given}
         unread = [parameter for parameter in given if not facts.reads(parameter.name)]
+        if not unread:
+            return ()
         free = [name for name in facts.parameters if name not in names]
         letters = {_letters(name): name for name in free}
         from sdfcheck.formats.near_names import without_a_word
@@ -2033,6 +2033,12 @@ class Plugin(Part):
     def is_template(self) -> bool:
         """Will something else write more of it, such as xacro?"""
         return any("xacro:" in child.name or "$" in child.content for child in self.parameters)
+
+
+def _is_of_ros_2(document: Document) -> bool:
+    from sdfcheck.files.packages import is_of_ros_2
+
+    return is_of_ros_2(document.path)
 
 
 def _letters(name: str) -> str:
@@ -2404,9 +2410,7 @@ class Transmission(JointNames):
     @property
     def is_of_ros_2(self) -> bool:
         """Is its package one of ROS 2, where nothing reads what is for ros_control?"""
-        from sdfcheck.files.packages import is_of_ros_2
-
-        return is_of_ros_2(self.document.path)
+        return self.document.view(_is_of_ros_2)
 
     @property
     def actuators(self) -> tuple[Element, ...]:
