@@ -1,1 +1,1 @@
-"""Rules about what PyBullet makes of URDF."""
+"""PyBullet: what it makes of URDF."""
