@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice
-from math import inf
+from math import dist, inf
 
 from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 from sdfcheck_rules.geo.detached_collision import gap
@@ -163,9 +163,17 @@ def nearest(link: Link, others: list[Link], bound: float) -> float:
     """How far the nearest link is (m); not more than the bound where one is within that, or at an unknown place."""
     least = inf
     for other in others:
-        if other.shapes and not (least := min(least, link.distance_to(other))) > bound:
-            break
+        if other.shapes and between_balls(link, other) < least:
+            least = min(least, link.distance_to(other))
+            if not least > bound:
+                break
     return least
+
+
+def between_balls(link: Link, other: Link) -> float:
+    """A distance (m) of which two links are not nearer to each other; 0 if not known."""
+    own, theirs = link.ball, other.ball
+    return dist(own[0], theirs[0]) - own[1] - theirs[1] if own and theirs else 0.0
 
 
 def length(link: Link) -> float:

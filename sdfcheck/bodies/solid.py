@@ -235,9 +235,14 @@ class Skin(NamedTuple):
         """The part of it that is in the bounds of another one, or not farther away from them."""
         if not len(other.points):
             return self
-        low, high = other.points.min(axis=0) - reach, other.points.max(axis=0) + reach
-        chosen = ((self.points >= low) & (self.points <= high)).all(axis=1)
+        low, high = other.bounds
+        chosen = ((self.points >= low - reach) & (self.points <= high + reach)).all(axis=1)
         return Skin(self.points[chosen], self.normals[chosen], self.areas[chosen])
+
+    @property
+    def bounds(self) -> tuple[Array, Array]:
+        """The least and the greatest coordinates of its points (m)."""
+        return self.points.min(axis=0), self.points.max(axis=0)
 
     @property
     def size(self) -> float:
@@ -254,8 +259,7 @@ class Skin(NamedTuple):
 
     def distance_of_bounds(self, other: Skin) -> float:
         """How far its bounds are from those of another surface (m)."""
-        low, high = self.points.min(axis=0), self.points.max(axis=0)
-        bottom, top = other.points.min(axis=0), other.points.max(axis=0)
+        (low, high), (bottom, top) = self.bounds, other.bounds
         return float(np.linalg.norm(np.maximum(0, np.maximum(bottom - high, low - top))))
 
     def is_near(self, other: Skin, least: float) -> bool:
@@ -273,7 +277,7 @@ class Skin(NamedTuple):
         """Its points and normals in bytes, as text, with its bounds and area."""
         from base64 import b64encode
 
-        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        low, high = self.bounds
         inside = (self.points - low) / np.where(high > low, high - low, 1)
         rows = np.concatenate((inside * _BYTE, (self.normals + 1) / 2 * _BYTE), axis=1)
         text = b64encode(np.rint(rows).astype(np.uint8).tobytes()).decode("ascii")
@@ -282,7 +286,7 @@ class Skin(NamedTuple):
     def share_in(self, other: Skin, least: float = 0.0) -> float:
         """The share of its surface that is inside of another body; 0 where bounds show that it is ``least`` at most."""
         points = self.points
-        low, high = other.points.min(axis=0), other.points.max(axis=0)
+        low, high = other.bounds
         near = points[((points > low) & (points < high)).all(axis=1)]
         if len(near) <= least * len(points):
             return 0.0

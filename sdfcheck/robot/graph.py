@@ -19,7 +19,7 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot import solids
-from sdfcheck.robot.motion.origin import UNTURNED, Origin, numbers_of, origin_in, pose_in
+from sdfcheck.robot.motion.origin import UNTURNED, Origin, Triple, numbers_of, origin_in, pose_in
 from sdfcheck.robot.naming.name import (
     DEFAULT,
     MODEL_FRAME,
@@ -39,6 +39,7 @@ from sdfcheck.robot.values import (
     Number,
     Vector,
     given_text,
+    grouped,
     is_true,
     lazy,
     number,
@@ -353,6 +354,15 @@ class Link(Node):
         """The same, with the links that fixed joints of URDF tie to it from below; None unless all are known."""
         return None if self.document.is_open else _with_fixed(self)
 
+    @lazy
+    def ball(self) -> tuple[Triple, float] | None:
+        """The center and radius (m) of a ball around its shapes, in its robot of URDF at rest; None if not known."""
+        pose, extent = self.at_rest, self.extent
+        if pose is None or extent is None:
+            return None
+        x, y, z = extent.center
+        return pose.applied_to((x, y, z)), extent.diagonal / 2
+
     def distance_to(self, other: Link) -> float:
         """How far the shapes of another link are from its own (m), at least, all joints at zero; 0 if not known.
 
@@ -440,13 +450,9 @@ class Link(Node):
     @property
     def counterparts(self) -> tuple[Link, ...]:
         """The other links of its model whose names differ only by the side: those of the other wheels or legs."""
-        from sdfcheck.robot.naming.name import without_sides
-
         key = without_sides(self.name)
-        if key == self.name:
-            return ()
-        links = self.model.links
-        return tuple(link for link in links if link is not self and without_sides(link.name) == key)
+        links = self.model.links_of_each_side.get(key, ()) if key != self.name else ()
+        return tuple(link for link in links if link is not self)
 
     # How it hangs together with others
 
@@ -1131,18 +1137,18 @@ class Joint(Node):
         key = without_sides(self.name)
         if key == self.name or self.model is None:
             return ()
-        joints = self.model.joints
-        return tuple(joint for joint in joints if joint is not self and without_sides(joint.name) == key)
+        return tuple(joint for joint in self.model.joints_of_each_side.get(key, ()) if joint is not self)
 
     @property
     def twins(self) -> tuple[Joint, ...]:
         """The other joints of its type that carry the same meshes, at the same places in their links.
 
-        All are on one parent or each on its own; of two grippers, the fingers of each may be mirrored.
+        All are on one parent or each on its own; of two grippers, the fingers of each may be mirrored. The many
+        equal parts of a chain are not.
         """
         key = _twin_key(self)
         all_ = self.model.twins.get(key, ()) if self.model is not None and key is not None else ()
-        if len({joint.parent_link for joint in all_}) not in {1, len(all_)}:
+        if len(all_) > _MOST_TWINS or len({joint.parent_link for joint in all_}) not in {1, len(all_)}:
             return ()
         return tuple(joint for joint in all_ if joint is not self)
 
@@ -1316,6 +1322,10 @@ def _link(node: Node | None) -> Link | None:
 
 _DEEPEST = 200
 """Joints above one that are followed."""
+_MOST_TWINS = 50
+"""Fingers, legs and wheels of one kind are fewer."""
+_MOST_SKINS = 500
+"""Links of which each is compared with all others by their surfaces."""
 
 
 def _at_rest(joint: Joint) -> Origin | None:
@@ -3219,7 +3229,12 @@ class Model(Scope):
         return _links_at_rest(self)
 
     def gaps(self, least: Mapping[Joint, float]) -> dict[Joint, float]:
-        """How far what joints carry is from the rest of the robot of URDF at rest (m); 0 if not more than is given."""
+        """How far what joints carry is from the rest of the robot of URDF at rest (m); 0 if not more than is given.
+
+        Robots with very many links are not looked at.
+        """
+        if len(self.links) > _MOST_SKINS:
+            return dict.fromkeys(least, 0.0)
         rows = _said_by_surfaces(
             self, least, lambda: [(_gap(joint, bound),) for joint, bound in least.items()]
         )
@@ -3233,13 +3248,19 @@ class Model(Scope):
         return {joint: Reach(*row) for joint, row in zip(joints, rows, strict=True) if row}
 
     @lazy
+    def links_of_each_side(self) -> dict[str, list[Link]]:
+        """Its links by their names without sides."""
+        return grouped(self.links, lambda link: without_sides(link.name))
+
+    @lazy
+    def joints_of_each_side(self) -> dict[str, list[Joint]]:
+        """Its joints by their names without sides."""
+        return grouped(self.joints, lambda joint: without_sides(joint.name))
+
+    @lazy
     def twins(self) -> dict[object, list[Joint]]:
-        """Its joints by what they carry."""
-        found: dict[object, list[Joint]] = {}
-        for joint in self.joints:
-            if (key := _twin_key(joint)) is not None:
-                found.setdefault(key, []).append(joint)
-        return found
+        """Its joints by what they carry; those that carry nothing that can be compared under None."""
+        return grouped(self.joints, _twin_key)
 
     @lazy
     def drivers(self) -> dict[Joint, Part]:
@@ -3278,10 +3299,7 @@ class Model(Scope):
     @lazy
     def blocks_by_reference(self) -> dict[str, list[GazeboBlock]]:
         """The ``<gazebo>`` blocks by the link or joint that they are about; those about the robot under ``""``."""
-        found: dict[str, list[GazeboBlock]] = {}
-        for block in self.gazebo_blocks:
-            found.setdefault(block.reference, []).append(block)
-        return found
+        return grouped(self.gazebo_blocks, lambda block: block.reference)
 
     @lazy
     def extended(self) -> Model:

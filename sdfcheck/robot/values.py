@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from sdfcheck.source.text import Span
 
 T = TypeVar("T")
+Key = TypeVar("Key")
 
 MOMENTS = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 """The moments and products of an inertia, by the names of their elements and attributes."""
@@ -39,6 +40,14 @@ class lazy(Generic[T]):  # noqa: N801 - used like `property`
             return self
         value = owner.__dict__[self.name] = self.compute(owner)
         return value
+
+
+def grouped(each: Iterable[T], key: Callable[[T], Key]) -> dict[Key, list[T]]:
+    """What has the same key, in the order given."""
+    found: dict[Key, list[T]] = {}
+    for one in each:
+        found.setdefault(key(one), []).append(one)
+    return found
 
 
 class _Placed:

@@ -23,6 +23,8 @@ SLACK = 1000
 """Work that is done once, such as looking into caches, may differ a little."""
 
 
+MEASURED = 2.6
+"""The same for robots with meshes, of which some quick work is done for all pairs of links."""
 TREES = (
     "chain of revolute joints",
     "chain of fixed joints",
@@ -41,6 +43,32 @@ def test_work_grows_with_the_size(name: str, size: int) -> None:
     work(dimension, SIZE)
     once, twice, four_times = (work(dimension, size * factor) for factor in (1, 2, 4))
     assert four_times - twice <= 2 * STEEP * (twice - once) + SLACK
+
+
+MESH = '<visual><geometry><mesh filename="a.obj"/></geometry></visual>'
+LINK = f"""<link name="l@">{MESH}</link><joint name="j#" type="revolute"><parent link="l#"/><child link="l@"/>
+<origin xyz="# 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint>"""
+
+
+@pytest.mark.parametrize("step", [0.1, 3])
+def test_work_on_a_chain_of_meshes_grows_with_its_length(
+    step: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its links touch, or each is apart from all others."""
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 0.1 0 0\nv 0 0.01 0.01\nf 1 2 3\n")
+    monkeypatch.chdir(tmp_path)
+
+    def chain(n: int) -> str:
+        links = (
+            LINK.replace("@", str(at + 1)).replace('"# 0', f'"{step} 0').replace("#", str(at))
+            for at in range(n)
+        )
+        return f'<robot name="r"><link name="l0">{MESH}</link>{"".join(links)}</robot>'
+
+    dimension = Dimension("a.urdf", chain)
+    work(dimension, SIZE)
+    once, twice, four_times = (work(dimension, 60 * factor) for factor in (1, 2, 4))
+    assert four_times - twice <= MEASURED * (twice - once)
 
 
 class Searched(str):

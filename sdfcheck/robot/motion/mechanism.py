@@ -352,14 +352,23 @@ def joined(skins: Iterable[Skin | None]) -> Skin | None:
 
 def distance(skins: Sequence[Skin], others: Sequence[Skin], least: float) -> float:
     """How far two groups are apart (m); 0 if not farther than ``least``. Best with neighbors first."""
-    pairs = [(skin, other) for skin in skins for other in others]
-    if any(skin.is_near(other, least) for skin, other in pairs):
+    if not skins or not others or skins[0].is_near(others[0], least):
         return 0.0
+    lows, highs = (np.array([other.bounds[side] for other in others]) for side in (0, 1))
+    rows = []
+    for skin in skins:
+        low, high = skin.bounds
+        rows.append(np.linalg.norm(np.maximum(0, np.maximum(lows - high, low - highs)), axis=1))
+        if any(skin.is_near(others[int(at)], least) for at in np.flatnonzero(rows[-1] <= least)):
+            return 0.0
+    bounds = np.concatenate(rows)
     found = math.inf
-    for skin, other in pairs:
-        if (apart := skin.distance_of_bounds(other)) < found:
-            found = min(found, max(apart, skin.distance_to(other)))
-    return found if pairs else 0.0
+    for at in np.argsort(bounds):
+        if bounds[at] >= found:
+            break
+        skin, other = skins[int(at) // len(others)], others[int(at) % len(others)]
+        found = min(found, max(float(bounds[at]), skin.distance_to(other)))
+    return found
 
 
 def reach(
