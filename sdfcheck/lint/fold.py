@@ -130,8 +130,8 @@ def _written(fix: Fix | None) -> object:
 def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
-    A defect that several files reach is reported with its highest severity. A consequence is left out
-    where an error is reported on the line of its ``cause``.
+    A defect that several files reach is reported with its highest severity, and what is wrong in another file where
+    that is included first. A consequence is left out where an error is reported on the line of its ``cause``.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
@@ -142,7 +142,9 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
         return disk.real(span.source.path), span.begin.line
 
     def place(diagnostic: Diagnostic) -> tuple[str, str, int, int]:
-        span = diagnostic.span
+        span, cause = diagnostic.span, diagnostic.cause
+        if cause is not None and cause.source.path != span.source.path:
+            span = cause
         return diagnostic.code, disk.real(span.source.path), span.start, span.end
 
     own = [each for each in diagnostics if not each.origins]

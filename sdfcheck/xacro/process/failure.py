@@ -138,6 +138,9 @@ def _judge(error: BaseException, spot: Spot) -> Record:
     if isinstance(root, ExpatError):
         what = errors.messages.get(root.code, message)
         return {"kind": "syntax", "message": what, "at": [root.lineno, root.offset + 1]}
+    if isinstance(root, UnicodeDecodeError):
+        lines = root.object[: root.start].decode("utf-8").split("\n")
+        return {"kind": "syntax", "message": "its text is not UTF-8", "at": [len(lines), len(lines[-1]) + 1]}
     if isinstance(root, OSError):
         return {"kind": "file", "name": str(root.filename), "message": (root.strerror or "").lower()}
     return _of_xacro(root, spot)

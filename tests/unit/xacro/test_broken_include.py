@@ -24,6 +24,7 @@ BROKEN = {
     "unknown entity": f'{HEAD}\n<link name="&a;"/>\n</robot>',
     "hyphens": f"{HEAD}\n<!-- a -- b -->\n</robot>",
     "no quotes": f"{HEAD}\n<link name=a/>\n</robot>",
+    "not UTF-8": f"{HEAD}\n<!-- fa\xe7ade -->\n</robot>",
     "late declaration": f'\n<?xml version="1.0"?>\n{HEAD}</robot>',
 }
 
@@ -36,7 +37,7 @@ def found(*paths: Path) -> list[tuple[str, str, int]]:
 
 @pytest.mark.parametrize("name", BROKEN)
 def test_a_broken_include_is_one_diagnostic(tmp_path: Path, name: str) -> None:
-    (tmp_path / "part.xacro").write_text(BROKEN[name])
+    (tmp_path / "part.xacro").write_bytes(BROKEN[name].encode("latin-1"))
     (tmp_path / "middle.xacro").write_text(f'{HEAD}<xacro:include filename="part.xacro"/></robot>')
     for file, includes in (("main", "part"), ("other", "middle")):
         (tmp_path / f"{file}.urdf.xacro").write_text(
@@ -45,6 +46,18 @@ def test_a_broken_include_is_one_diagnostic(tmp_path: Path, name: str) -> None:
     assert found(tmp_path / "main.urdf.xacro") == [("XAC001", "main.urdf.xacro", 1)]
     assert found(tmp_path / "other.urdf.xacro") == [("XAC001", "middle.xacro", 1)]
     assert [file for _, file, _ in found(tmp_path)] == ["part.xacro"]
+
+
+@pytest.mark.parametrize("name", ["unclosed", "not UTF-8"])
+def test_a_broken_file_that_is_not_linted_is_one_diagnostic_at_its_first_include(
+    tmp_path: Path, name: str
+) -> None:
+    (tmp_path / "part.inc").write_bytes(BROKEN[name].encode("latin-1"))
+    for file in ("main", "other"):
+        (tmp_path / f"{file}.urdf.xacro").write_text(
+            f'{HEAD}\n<xacro:include filename="part.inc"/>\n</robot>'
+        )
+    assert found(tmp_path) == [("XAC001", "main.urdf.xacro", 1)]
 
 
 def test_it_stays_at_the_include_where_the_fault_is_not_reported(tmp_path: Path) -> None:
