@@ -20,6 +20,8 @@ _ALONE = 3
 """So many findings of one shape are shown one by one."""
 _PLACES = {True: 8, False: 3}
 """So many places of folded findings are named, if they are all in the same file and otherwise."""
+_LONG = 40
+"""Characters of what is said with such a place."""
 _VARIED = re.compile(r"`[^`]*`|\d+(?:\.\d+)?")
 
 
@@ -74,6 +76,9 @@ def _place(group: Group, each: Diagnostic, paths: Paths, here: bool) -> str:
     # Of messages that differ the first thing that differs says what is meant.
     pairs = zip(_VARIED.findall(group.first.message), _VARIED.findall(each.message), strict=False)
     word = next((new for old, new in pairs if old != new), "")
+    if len(word) > _LONG:  # a path, most likely: its end tells it from others
+        tail = word[-_LONG:]
+        word = "`…" + tail[max(0, tail.find("/")) :]
     return f"{place} {word}".rstrip()
 
 
