@@ -36,17 +36,17 @@ SITE_TOOLS := $(VENV)/.installed-docs
 CONDITIONS := rules/conditions.py
 RULES := $(shell find rules -name '*.py' ! -path '$(CONDITIONS)')
 
-.PHONY: demo tools man publish-site versions release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
+.PHONY: demo compiled tools man publish-site versions release-check picture test quick check layers format format-check lint types types-of-platform generate generated reactions golden docs package lowest newest vscode vscode-check viewer viewer-check gallery bench engines growth fuzz mutants clean
 
-demo: $(RUNTIME) $(CONDITIONS)
+demo: compiled
 	$(BIN)/sdfcheck lint --exit-zero fixtures/robots
 
 tools: $(TOOLS) $(SITE_TOOLS)
 
-test: $(TOOLS) $(CONDITIONS)
+test: $(TOOLS) compiled
 	$(BIN)/python -m pytest
 
-quick: $(TOOLS) $(CONDITIONS)
+quick: $(TOOLS) compiled
 	$(BIN)/python -m pytest -m "not slow" tests/unit tests/test_rules.py
 
 check: format-check lint types layers generated test
@@ -216,6 +216,10 @@ $(TOOLS): $(RUNTIME)
 $(CONDITIONS): $(RUNTIME) $(RULES)
 	$(BIN)/python -m sdfcheck.lint.rulebook.conditions
 	touch $@
+
+# With PYTHONDONTWRITEBYTECODE, as in many containers, each start of a checkout would compile all that it imports.
+compiled: $(RUNTIME) $(CONDITIONS)
+	$(BIN)/python -m compileall -q sdfcheck rules
 
 $(SITE_TOOLS): $(RUNTIME)
 	$(BIN)/python $(PIP_INSTALL) --editable '.[docs]'

@@ -64,16 +64,18 @@ class MomentsOfAnotherMass(Rule):
 
 def factor(inertial: Inertial) -> float:
     """The one factor between its moments and those of the link's only solid with its mass; nan if that says nothing."""
+    moments = inertial.tensor if is_weighed(inertial) else ()
+    if not moments or not min(moments[:3]) > 0 or not max(moments[:3]) * (1 + EVEN) > LONG * min(moments[:3]):
+        return nan
+    if max(map(abs, moments[3:])) > EVEN * min(moments[:3]):
+        return nan
     solids = inertial.link.solids
-    solid = solids[0].geometry.solid if len(solids) == 1 and is_weighed(inertial) else None
+    solid = solids[0].geometry.solid if len(solids) == 1 else None
     given = [inertial.moments[name] for name in ("ixx", "iyy", "izz")]
     if solid is None or not all(moment.is_given for moment in given) or not turned_alike(inertial):
         return nan
-    moments, mass = inertial.tensor, inertial.mass.number
-    usual = [mass * moment for moment in solid.moments[:3]]
-    if not min(usual) > 0 or not min(moments[:3]) > 0 or max(usual) < LONG * min(usual):
-        return nan
-    if max(map(abs, moments[3:])) > EVEN * min(moments[:3]):
+    usual = [inertial.mass.number * moment for moment in solid.moments[:3]]
+    if not min(usual) > 0 or max(usual) < LONG * min(usual):
         return nan
     factors = [one / other for one, other in zip(moments[:3], usual, strict=True)]
     found = sum(factors) / 3

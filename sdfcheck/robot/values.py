@@ -43,7 +43,7 @@ class lazy(Generic[T]):  # noqa: N801 - used like `property`
 
 
 def grouped(each: Iterable[T], key: Callable[[T], Key]) -> dict[Key, list[T]]:
-    """What has the same key, in the order given."""
+    """Those of each key, in the order given."""
     found: dict[Key, list[T]] = {}
     for one in each:
         found.setdefault(key(one), []).append(one)

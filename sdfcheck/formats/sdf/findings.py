@@ -160,21 +160,24 @@ class _Misplaced:
         self.definition = definition
         """Of their parent."""
         self.places = first.places
+        self.is_default = first.is_default
         self.others: list[Element] = []
 
     def takes(self, other: problems.MisplacedElement) -> bool:
         """Add another one, if it goes where these go."""
         common = tuple(place for place in self.places if place in other.places)
-        if not common or self.first.is_default != other.is_default:
+        if not common:
             return False
         self.places = common
+        self.is_default = self.is_default and other.is_default
         self.others.append(other.element)
         return True
 
     @property
     def problem(self) -> problems.MisplacedElement:
         places = likely_parents(self.places, self.first.parent, self.definition)
-        return self.first.changed(places=places, others=tuple(self.others))
+        others = tuple(self.others)
+        return self.first.changed(places=places, others=others, is_default=self.is_default)
 
 
 class SdfFindings(Findings):

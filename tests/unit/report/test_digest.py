@@ -40,7 +40,7 @@ def test_many_alike_in_a_run_are_one_with_places_in_other_files() -> None:
     assert "= and: 5 more in 5 files: b.sdf:2:1, c.sdf:2:1, d.sdf:2:1, …\n" in text
 
 
-def test_of_long_paths_the_end_tells_which_one_it_is() -> None:
+def test_long_paths_are_shown_by_their_ends() -> None:
     folder = "package://robot_with_a_long_name_description/meshes"
     alike = [found(number, message=f"mesh `{folder}/part_{number}.stl` is missing") for number in range(1, 5)]
     assert "file: 2:1 `…/meshes/part_2.stl`, 3:1 `…/meshes/part_3.stl`, 4:1 `…/meshes/" in full(*alike)
