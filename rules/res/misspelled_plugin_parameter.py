@@ -16,7 +16,10 @@ from sdfcheck import (
 )
 
 ROS_2 = {"package.xml": "<package><name>arm</name><buildtool_depend>ament_cmake</buildtool_depend></package>"}
-CAMERA = '<plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin>'
+CAMERA = (
+    '<link name="eye"><sensor name="eye" type="camera"><camera><image><width>640</width><height>480</height></image>'
+    '</camera><plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin></sensor></link>'
+)
 MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 

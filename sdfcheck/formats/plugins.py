@@ -51,6 +51,12 @@ class PluginFacts(NamedTuple):
     """Regular expressions of the names of further parameters."""
     last: str
     """The last major release that has it; empty where it is still there."""
+    places: tuple[str, ...]
+    """The elements that it runs in; empty where it runs in any."""
+    runs_elsewhere: bool
+    """Does it run in others as well, under a wrong name?"""
+    values: tuple[tuple[str, str], ...]
+    """The values of parameters, by their paths, in the form that :func:`allows` reads."""
 
     def is_class(self, name: str) -> bool:
         """Is it the name of a class in it? Full names with the version are accepted as well."""
@@ -148,7 +154,7 @@ def _entries() -> dict[str, tuple[str, ...]]:
 
 def _facts(entry: str) -> PluginFacts:
     lines = entry.split("\r")
-    file, generation, classes, once, serves, last = (*lines[0].split("\t"), "", "", "", "")[:6]
+    file, generation, classes, once, serves, last, places = (*lines[0].split("\t"), *[""] * 6)[:7]
     listed = next((line[2:].split(",") for line in lines[1:] if line[1] == "="), [])
     patterns = next((line[2:].split("\t") for line in lines[1:] if line[1] == "~"), [])
     return PluginFacts(
@@ -157,13 +163,39 @@ def _facts(entry: str) -> PluginFacts:
         tuple(filter(None, classes.split(","))),
         once,
         tuple(filter(None, serves.split(","))),
-        tuple(_naming(line[1:]) for line in lines[1:] if line[1] not in "=~"),
+        tuple(_naming(line[1:]) for line in lines[1:] if line[1] not in "=~:"),
         frozenset(name.rstrip("!+") for name in listed),
         frozenset(name.rstrip("!+") for name in listed if "!" in name),
         frozenset(name.rstrip("!+") for name in listed if "+" in name),
         tuple(patterns),
         last,
+        tuple(filter(None, places.removeprefix("~").split(","))),
+        places.startswith("~"),
+        tuple(_pair(line[2:]) for line in lines[1:] if line[1] == ":"),
     )
+
+
+def _pair(line: str) -> tuple[str, str]:
+    path, _, allowed = line.partition("\t")
+    return path, allowed
+
+
+def allows(allowed: str, text: str) -> bool:
+    """May a parameter have a value? ``cw|ccw``, ``> 0``, ``>= 0`` and ``0..1`` say so.
+
+    A text where a number belongs is left open.
+    """
+    words = allowed.split("|")
+    try:
+        number = float(text)
+        if allowed[0] == ">":
+            return number >= 0 if "=" in allowed else number > 0
+        if ".." in allowed:
+            low, high = map(float, allowed.split(".."))
+            return low <= number <= high
+        return text in words or number in map(float, words)
+    except ValueError:
+        return text in words or words[0][-1].isdigit()
 
 
 def _naming(line: str) -> Naming:

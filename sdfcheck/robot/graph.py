@@ -1810,6 +1810,9 @@ def _is_lumped(node: Node) -> bool:
 # Plugins.
 
 
+_CARRIERS = frozenset(("world", "model", "sensor", "visual", "actor"))
+
+
 class Plugin(Part):
     """A plugin, of a world, model, sensor, visual or ``<gazebo>`` block; its parameters are its own."""
 
@@ -1898,6 +1901,27 @@ class Plugin(Part):
             for value in _written(self.element, naming)
             if "::" in (name := value.text.strip()) and not _TEMPLATE.search(name)
         )
+
+    @property
+    def is_misplaced(self) -> bool:
+        """Is it in an element in which its library does not run, or runs under a wrong name?"""
+        parent, places = self.element.parent, self.known.places if self.known is not None else ()
+        if not places or parent is None:
+            return False
+        place = "model" if parent.name in {"gazebo", "include"} else parent.name
+        is_about_robot = parent.name != "gazebo" or not parent.attributes.get("reference")
+        return place in _CARRIERS and place not in places and is_about_robot
+
+    @property
+    def refused_values(self) -> Iterator[tuple[Value, str]]:
+        """The values that its library refuses, each with what is allowed."""
+        from sdfcheck.formats.plugins import Naming, allows
+
+        for path, allowed in self.known.values if self.known is not None else ():
+            for value in _written(self.element, Naming(path, "", False, False)):
+                text = value.text.strip()
+                if text and not _TEMPLATE.search(text) and not allows(allowed, text):
+                    yield value, allowed
 
     @property
     def siblings(self) -> tuple[Plugin, ...]:

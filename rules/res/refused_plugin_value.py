@@ -1,0 +1,64 @@
+from collections.abc import Iterator
+
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, named
+
+MOTOR = (
+    '<link name="w"/><joint name="j" type="continuous"><parent>base</parent><child>w</child>'
+    "<axis><xyz>0 0 1</xyz></axis></joint>"
+    '<plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">'
+    "<jointName>j</jointName><linkName>w</linkName><actuator_number>0</actuator_number>"
+    "<turningDirection>{}</turningDirection></plugin>"
+)
+ODOMETRY = (
+    '<plugin name="gz::sim::systems::OdometryPublisher" filename="gz-sim-odometry-publisher-system">'
+    "<dimensions>{}</dimensions></plugin>"
+)
+BATTERY = (
+    '<plugin name="gz::sim::systems::LinearBatteryPlugin" filename="gz-sim-linearbatteryplugin-system">'
+    "<battery_name>b</battery_name><voltage>12</voltage><capacity>{}</capacity></plugin>"
+)
+
+
+class RefusedPluginValue(Rule):
+    """A parameter of a plugin of Gazebo has a value that the plugin refuses.
+
+    It reports an error, and takes another value or stays off.
+    """
+
+    code = "RES027"
+    name = "refused-plugin-value"
+    severity = Severity.WARNING
+    remedy = """Write one of the values that the message names.
+
+    They are those in the code of the plugin; the letters have to be the same, capital and small.
+    """
+    looks_at = (Plugin,)
+    scaffold = IN_MODEL
+    sources = ("https://github.com/gazebosim/gz-sim/tree/main/src/systems",)
+
+    bad = (
+        Bad(
+            MOTOR.format("«CW»"),
+            says="of plugin `gz::sim::systems::MulticopterMotorModel` is `CW`, and may be `cw` or `ccw`",
+        ),
+        Bad(ODOMETRY.format("«4»"), says="is `4`, and may be `2` or `3`"),
+        Bad(BATTERY.format("«0»"), says="is `0`, and may be more than 0"),
+    )
+    good = (Good(MOTOR.format("ccw")), Good(ODOMETRY.format("3")), Good(BATTERY.format("1.5")))
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return next(plugin.refused_values, None) is not None
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for value, allowed in plugin.refused_values:
+            name = value.attribute or value.element.name
+            message = f"`{name}` of {plugin.title} is `{value.text.strip()}`, and may be {words(allowed)}"
+            yield self.diagnostic(value, message)
+
+
+def words(allowed: str) -> str:
+    """The values that are allowed, as the table has them, in words."""
+    if allowed.startswith(">"):
+        return "0 or more" if "=" in allowed else "more than 0"
+    return allowed.replace("..", " to ") if ".." in allowed else named(allowed.split("|"), "or")
