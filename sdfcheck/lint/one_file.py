@@ -217,7 +217,7 @@ def lint_file(
 def lint_included(
     document: Document, book: RuleBook, configuration: Configuration
 ) -> tuple[Sequence[Diagnostic], int]:
-    """The errors of a file that only an include leads to, each with the way there.
+    """The errors of a file that only an include leads to, and the includes in it that lead nowhere, with the way there.
 
     It is somebody else's file: its warnings are theirs, and it is not fixed.
     """
@@ -231,7 +231,16 @@ def lint_included(
         for diagnostic in lint_document(document, book.dispatch(settings, path))
     ]
     kept, silenced = _silence(result(found, document), book, settings, path)
-    return [diagnostic for diagnostic in kept if diagnostic.severity is Severity.ERROR], silenced
+    return [each for each in kept if each.severity is Severity.ERROR or _is_lost(each)], silenced
+
+
+def _is_lost(diagnostic: Diagnostic) -> bool:
+    """Is something not found here without which Gazebo refuses the document?"""
+    if diagnostic.missing is None:
+        return False
+    from sdfcheck.consumers.reaction import UNFOUND, Consumer
+
+    return dict(diagnostic.affects).get(Consumer.GAZEBO.value) == UNFOUND
 
 
 def _silence(

@@ -52,6 +52,17 @@ def test_a_file_of_the_run_is_reported_there_alone(paths: tuple[str, ...]) -> No
     assert {d.span.source.path for d in found} == {Path("parts/arm.sdf")}
 
 
+def test_a_model_that_it_includes_and_is_not_here_is_missing_in_the_world(folder: Path) -> None:
+    include = "<include><uri>model://nowhere</uri></include>"
+    (folder / "parts/arm.sdf").write_text(
+        f'<sdf version="1.12"><model name="arm"><link name="l">x</link>{include}</model></sdf>'
+    )
+    (diagnostic,) = of_arm(lint("one.sdf", "two.sdf"))
+    assert diagnostic.code == "RES002"
+    assert diagnostic.missing is not None
+    assert [origin.span.source.path.name for origin in diagnostic.origins] == ["one.sdf"]
+
+
 def test_the_way_may_be_long(folder: Path) -> None:
     middle = '<sdf version="1.12"><model name="m"><include><uri>arm.sdf</uri></include></model></sdf>'
     (folder / "parts/middle.sdf").write_text(middle)
