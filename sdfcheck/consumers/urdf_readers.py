@@ -45,6 +45,13 @@ _NEEDED_BY_ISAAC = {
 """Element → the attributes and elements without which the converter of Isaac Sim (0.3.4) refuses the file."""
 
 
+_SOLE = {
+    "Drake": frozenset({Consumer.DRAKE}),
+    "PyBullet": frozenset({Consumer.PYBULLET}),
+    "MuJoCo": frozenset({Consumer.MUJOCO}),
+    "nobody": frozenset(),
+}
+"""The consumers behind the names of the table, where these are about all that read an element."""
 _NO_REST = drops("the rest of the link")
 _WITHOUT_IT = warns("builds the robot without it")
 
@@ -77,7 +84,20 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
         found[Consumer.PYBULLET] = REFUSES
     if "inertial" in place and element.name != "inertia" and _carries_the_rest(element):
         found[Consumer.GAZEBO] = refuses("refuses the file, for nothing is left")
-    return found
+    return found | _ignoring(element)
+
+
+def _ignoring(element: Element) -> dict[Consumer, Reaction]:
+    """That others do not read it, where it is, or is in, an element that some consumers alone know."""
+    definition = urdf()
+    for name in [element.name, *(each.name for each in element.around)][-2::-1]:
+        if name not in definition.children:
+            break
+        definition = definition.children[name]
+        if definition.consumers and all(each in _SOLE for each in definition.consumers):
+            known = frozenset[Consumer]().union(*(_SOLE[each] for each in definition.consumers))
+            return dict.fromkeys((one for one in Consumer if one not in known), _UNREAD)
+    return {}
 
 
 def _is_cut(value: Value) -> bool:
@@ -118,6 +138,7 @@ def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
         Consumer.PYBULLET: REFUSES,
         Consumer.ISAAC: REFUSES if name in _NEEDED_BY_ISAAC.get(element.name, ()) else _WITHOUT_IT,
         **_lacking_in(element, name),
+        **_ignoring(element),
     }
 
 
@@ -136,7 +157,7 @@ def _lacking_text(value: Value) -> Mapping[Consumer, Reaction]:
         found[Consumer.PYBULLET] = REFUSES if element.name == "axis" else _UNREAD
         if element.name in {"origin", "limit", "dynamics"}:
             found[Consumer.MUJOCO] = _UNREAD
-    return {**found, Consumer.ISAAC: REFUSES if is_needed else _WITHOUT_IT}
+    return {**found, Consumer.ISAAC: REFUSES if is_needed else _WITHOUT_IT, **_ignoring(element)}
 
 
 def _without_direction(axis: Element) -> Mapping[Consumer, Reaction]:
@@ -237,8 +258,13 @@ def _is_free(element: Element) -> bool:
 
 def repeating(element: Element) -> Mapping[Consumer, Reaction]:
     """Reactions to an element that is given again, of which one is enough."""
-    unread = element.document.kind is not Kind.SDF and is_unread_by_mujoco(element)
-    return {Consumer.MUJOCO: _UNREAD} if unread else {}
+    if element.document.kind is Kind.SDF:
+        return {}
+    is_material = (
+        element.name == "material" and element.parent is not None and element.parent.name == "visual"
+    )
+    is_unread = element.name == "texture" or (is_unread_by_mujoco(element) and not is_material)
+    return ({Consumer.MUJOCO: _UNREAD} if is_unread else {}) | _ignoring(element)
 
 
 def is_unread_by_mujoco(at: Element | Value) -> bool:

@@ -151,7 +151,7 @@ def mutants(origins: Sequence[Path], number: int, chance: random.Random) -> Iter
     """Files with one change each, and the changes."""
     while number:
         origin = chance.choice(origins)
-        root = etree.fromstring(origin.read_bytes())
+        root = etree.fromstring(origin.read_bytes().strip(), etree.XMLParser(recover=True))
         change = chance.choice(CHANGES)(chance, list(root.iter(etree.Element)))
         if change is not None:
             path = FOLDER / f"{number}{origin.suffix}"

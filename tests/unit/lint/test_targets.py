@@ -37,6 +37,9 @@ from tests.test_rules import TRIALS
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 
 SPHERICAL = '<joint name="j" type="spherical"><parent link="a"/><child link="b"/></joint>'
+CONTACT = '<contact><lateral_friction value="abc"/><lateral_friction value="1"/></contact>'
+PAINT = '<material name="{}"><color rgba="1 0 0 1"/></material>'
+PAINTED = f'<visual><geometry><sphere radius="1"/></geometry>{PAINT.format("m")}{PAINT.format("n")}</visual>'
 TEXTURED = (
     '<visual><geometry><sphere radius="1"/></geometry><material name="m"><texture/></material></visual>'
 )
@@ -174,6 +177,9 @@ def test_a_target_leaves_out_what_it_takes(consumer: str, codes: set[str], tmp_p
             f'<link name="a">{INERTIAL}{TEXTURED}</link>',
             {"drake"},
         ),
+        (f'<link name="a">{INERTIAL}{CONTACT}</link>', set()),
+        (f'<link name="a">{INERTIAL}</link><frame name="f"/>', {"drake"}),
+        (f'<link name="a">{INERTIAL}{PAINTED}</link>', {"mujoco"}),
     ],
 )
 def test_elements_that_only_some_consumers_of_urdf_take(
