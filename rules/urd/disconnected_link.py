@@ -74,7 +74,8 @@ class DisconnectedLink(Rule):
                     message += ", unless an argument brings one"
                 known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}
                 labels = {tree.top(tree.groups[0]): "the root of the rest"}
-                severity = Severity.WARNING if may_be else None
+                # MuJoCo, which the robot has settings for, fixes it to the world.
+                severity = Severity.WARNING if may_be or robot.find("mujoco") is not None else None
                 yield self.diagnostic(link, message, labels=labels, affects=known, severity=severity)
 
 

@@ -350,6 +350,16 @@ def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
     return "ament_" in manifest and ">catkin<" not in manifest
 
 
+def is_of_python(path: str | os.PathLike[str]) -> bool:
+    """Is it in a distribution of Python that no package of ROS is around or beside?"""
+    for folder in _folders_around(os.path.abspath(path)):
+        if os.path.isfile(os.path.join(folder, "package.xml")):
+            return False
+        if any(os.path.isfile(os.path.join(folder, name)) for name in ("pyproject.toml", "setup.py")):
+            return True
+    return False
+
+
 def _manifest_around(path: str | os.PathLike[str]) -> str:
     around = package_around(path)
     return "" if around is None else _COMMENT.sub("", _read(Path(around[0], "package.xml")))
