@@ -8,6 +8,7 @@ NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
+OFF = frozenset(("0", "false", "no"))
 MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
 
@@ -70,6 +71,12 @@ class MissingCollision(Rule):
         ),
         Good(
             robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
+                "</robot>", '<gazebo reference="right_wheel"><gravity>0</gravity></gazebo></robot>'
+            ),
+            why="without weight it is only there to be seen",
+        ),
+        Good(
+            robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
                 "</link><link", f"{MASS}</link><link", 2
             ),
             why="massless-moving-link reports that it has no mass either",
@@ -103,7 +110,8 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
     if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
-    bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
+    bare = [link for link in moving if not (link.has("collision") or link.misspells("collision"))]
+    bare = [link for link in bare if not is_weightless(link)]
     if any(link.has_mass for link in moving):
         bare = [link for link in bare if link.has_mass]  # else that is the mistake
     found: list[tuple[Link, Link | None]] = []
@@ -115,6 +123,18 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_exempt(link, moving):
             found.append((link, None))
     return found
+
+
+def is_weightless(link: Link) -> bool:
+    """Does gravity not pull it?"""
+    own = link.find("gravity")
+    blocks = link.model.blocks_by_reference.get(link.name, ()) if link.is_urdf else ()
+    said = (
+        [own.content]
+        if own is not None
+        else [value.text for each in blocks for value in each.settings("gravity")]
+    )
+    return any(text.strip().lower() in OFF for text in said)
 
 
 def numbered(link: Link) -> list[Link]:
