@@ -62,6 +62,11 @@ class MasslessMovingLink(Rule):
             '<joint name="k" type="continuous"><parent link="a"/><child link="c"/><mimic joint="j"/></joint>',
             says="so libsdformat drops it, and refuses joint `k`, which follows joint `j`",
         ),
+        Bad(
+            f'<«link» name="b"/><link name="c">{MASS}</link>'
+            '<joint name="k" type="continuous"><parent link="b"/><child link="c"/><mimic joint="j"/></joint>',
+            says="so libsdformat drops it and the 1 link below it",
+        ),
         Bad('<link name="b"><inertial><mass value="«0»"/>' + INERTIA + "</inertial></link>"),
         Bad(
             '<link name="b"><inertial><mass value="«1e-7»"/>' + INERTIA + "</inertial></link>",
@@ -82,7 +87,9 @@ class MasslessMovingLink(Rule):
         return bool(dropped(robot))
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
-        for link in dropped(robot):
+        links = dropped(robot)
+        gone = {each for link in links for each in link.below()}
+        for link in links:
             joint = link.parent_joints[0]
             below = sum(1 for _ in link.below()) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
@@ -92,7 +99,7 @@ class MasslessMovingLink(Rule):
             amount = f"a mass of {mass.text.strip()} kg, which counts as none," if is_tiny else "no mass,"
             message = f"{link.title} {what} and has {amount} so libsdformat drops it{others}"
             labels = {joint: "is kept" if joint.is_fixed else "moves it"}
-            follower = next(followers(joint), None)
+            follower = next((each for each in followers(joint) if each.child_link not in gone), None)
             if follower is not None:
                 message += f", and refuses {follower.title}, which follows {joint.title}"
                 labels[follower] = "follows it"
@@ -101,15 +108,9 @@ class MasslessMovingLink(Rule):
 
 
 def followers(leader: Joint) -> Iterator[Joint]:
-    """The joints that mimic one, and are there when it is gone."""
-    robot = leader.model
-    if robot is None:
-        return
-    built = robot.as_built_by(Consumer.GAZEBO)
-    for mimic in robot.root.each(Mimic):
-        link = mimic.joint.child_link if mimic.leader is leader and mimic.joint.model is robot else None
-        if link is not None and built.base(link) in built.with_mass:
-            yield mimic.joint
+    """The joints that mimic one."""
+    mimics = leader.root.each(Mimic)
+    return (mimic.joint for mimic in mimics if mimic.leader is leader and mimic.joint.child_link is not None)
 
 
 def _affects(link: Link, *, is_followed: bool) -> dict[Consumer, Reaction]:
