@@ -76,6 +76,14 @@ class MissingCollision(Rule):
             why="without weight it is only there to be seen",
         ),
         Good(
+            robot("base visual", *(f"{name} visual collision" for name in "abcde"), "tip visual").replace(
+                "</robot>",
+                f'<link name="hand">{BOX.format("collision")}</link><joint name="hold" type="fixed">'
+                '<parent link="tip"/><child link="hand"/></joint></robot>',
+            ),
+            why="what is fixed to it collides",
+        ),
+        Good(
             robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
                 "</link><link", f"{MASS}</link><link", 2
             ),
@@ -111,7 +119,7 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not (link.has("collision") or link.misspells("collision"))]
-    bare = [link for link in bare if not is_weightless(link)]
+    bare = [link for link in bare if not (is_weightless(link) or is_covered(link))]
     if any(link.has_mass for link in moving):
         bare = [link for link in bare if link.has_mass]  # else that is the mistake
     found: list[tuple[Link, Link | None]] = []
@@ -123,6 +131,20 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_exempt(link, moving):
             found.append((link, None))
     return found
+
+
+def is_covered(link: Link) -> bool:
+    """Does a link collide that is tied to it from below?"""
+    tied, waiting = {link}, [link]
+    while waiting:
+        for joint in waiting.pop().child_joints:
+            child = joint.child_link
+            if joint.is_fixed and child is not None and child not in tied:
+                if child.has("collision"):
+                    return True
+                tied.add(child)
+                waiting.append(child)
+    return False
 
 
 def is_weightless(link: Link) -> bool:
