@@ -22,6 +22,8 @@ _BUILT = ("install", "devel", "build")
 _INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _REMARK = re.compile(r"#[^\n]*")
+PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
+"""One of them is in a project of Python."""
 _STOP = frozenset(
     {"PATTERN", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "RENAME", "OPTIONAL"}
 )
@@ -351,11 +353,11 @@ def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
 
 
 def is_of_python(path: str | os.PathLike[str]) -> bool:
-    """Is it in a distribution of Python that no package of ROS is around or beside?"""
+    """Is it in a project of Python, and in no package of ROS?"""
     for folder in _folders_around(os.path.abspath(path)):
         if os.path.isfile(os.path.join(folder, "package.xml")):
             return False
-        if any(os.path.isfile(os.path.join(folder, name)) for name in ("pyproject.toml", "setup.py")):
+        if any(os.path.isfile(os.path.join(folder, name)) for name in PYTHON):
             return True
     return False
 

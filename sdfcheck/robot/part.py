@@ -452,7 +452,7 @@ class Whole(Part):
 
     @property
     def is_of_python(self) -> bool:
-        """Is it in a distribution of Python, and in no package of ROS?"""
+        """Is it in a project of Python, and in no package of ROS?"""
         return self.document.view(_is_of_python)
 
     def class_of(self, holder: Part, element: Element) -> type[Part]:
