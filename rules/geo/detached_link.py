@@ -146,6 +146,9 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
 
 def has_company(link: Link, drawn: list[Link]) -> bool:
     """Is there a body that does not hang on it, more than the mark of a place?"""
+    parent = link.parent_joints[0].parent_link
+    if parent is not None and parent.shapes and length(parent) > MARK:
+        return True
     hanging = set(link.below())
     return any(length(other) > MARK for other in drawn if other not in hanging)
 

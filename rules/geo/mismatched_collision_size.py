@@ -5,7 +5,7 @@ from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity
 MOST = 10.0
 """Of 3,828 links in public robots that have both, none that moves differs so much."""
 REDUCED = 20.0
-"""The same for plain shapes that stand for a part of the body: a rod in a hip."""
+"""The same for plain shapes that collide for a part of the body: a rod in a hip."""
 LEAST = 0.005
 """m: smaller shapes are marks of places."""
 SHAPE = '<{0} name="{0}"><geometry><box><size>{1}</size></box></geometry></{0}>'

@@ -81,7 +81,7 @@ class MissingCollision(Rule):
                 f'<link name="hand">{BOX.format("collision")}</link><joint name="hold" type="fixed">'
                 '<parent link="tip"/><child link="hand"/></joint></robot>',
             ),
-            why="what is fixed to it collides",
+            why="a link that is fixed to it collides",
         ),
         Good(
             robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(

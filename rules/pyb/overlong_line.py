@@ -28,6 +28,9 @@ class OverlongLine(Rule):
     default = False
     looks_at = (Root,)
     scaffold = ROBOT
+    sources = (
+        "https://github.com/bulletphysics/bullet3/blob/master/examples/Importers/ImportURDFDemo/BulletUrdfImporter.cpp",
+    )
 
     bad = (
         Bad(

@@ -5,7 +5,6 @@ from sdfcheck import (
     Consumer,
     Diagnostic,
     Good,
-    Joint,
     Link,
     Mimic,
     Model,
@@ -88,7 +87,12 @@ class MasslessMovingLink(Rule):
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         links = dropped(robot)
-        gone = {each for link in links for each in link.below()}
+        gone = set(robot.tree.below(*links))
+        followers = {
+            mimic.leader: mimic.joint
+            for mimic in robot.root.each(Mimic)
+            if mimic.joint.child_link is not None and mimic.joint.child_link not in gone
+        }
         for link in links:
             joint = link.parent_joints[0]
             below = sum(1 for _ in link.below()) - 1
@@ -99,18 +103,12 @@ class MasslessMovingLink(Rule):
             amount = f"a mass of {mass.text.strip()} kg, which counts as none," if is_tiny else "no mass,"
             message = f"{link.title} {what} and has {amount} so libsdformat drops it{others}"
             labels = {joint: "is kept" if joint.is_fixed else "moves it"}
-            follower = next((each for each in followers(joint) if each.child_link not in gone), None)
+            follower = followers.get(joint)
             if follower is not None:
                 message += f", and refuses {follower.title}, which follows {joint.title}"
                 labels[follower] = "follows it"
             affects = _affects(link, is_followed=follower is not None)
             yield self.diagnostic(mass if mass.is_given else link, message, labels=labels, affects=affects)
-
-
-def followers(leader: Joint) -> Iterator[Joint]:
-    """The joints that mimic one."""
-    mimics = leader.root.each(Mimic)
-    return (mimic.joint for mimic in mimics if mimic.leader is leader and mimic.joint.child_link is not None)
 
 
 def _affects(link: Link, *, is_followed: bool) -> dict[Consumer, Reaction]:
