@@ -119,7 +119,7 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
     bare = [link for link in moving if not (link.has("collision") or link.misspells("collision"))]
-    bare = [link for link in bare if not (is_weightless(link) or is_covered(link))]
+    bare = [link for link in bare if not is_weightless(link)]
     if any(link.has_mass for link in moving):
         bare = [link for link in bare if link.has_mass]  # else that is the mistake
     found: list[tuple[Link, Link | None]] = []
@@ -173,10 +173,13 @@ def numbered(link: Link) -> list[Link]:
 
 
 def is_exempt(link: Link, others: list[Link]) -> bool:
-    """Is the collision in a comment, or the link less than half as long as most others, like parts inside of joints?"""
+    """Is the collision in a comment or in a link that is tied to it, or is it short, like parts inside of joints?
+
+    A link is short that is less than half as long as most others.
+    """
     from statistics import median
 
-    if link.switches_off("collision"):
+    if link.switches_off("collision") or is_covered(link):
         return True
     own = link.visual_box
     lengths = [
