@@ -22,6 +22,8 @@ CARRIED = 50
 NEAR, HIDDEN, HALF, SHARE = 0.005, 0.035, 0.5, 0.05
 """m, and of the length of the link: necks, wrists and ankles have joints inside that are not drawn. Of 441 parts that
 joints carry in public robots, by their surfaces, three are farther from the rest of its robot."""
+MARK = 0.001
+"""m: a shape as small only shows where the robot is."""
 EYE = (
     f'<link name="eye">{mesh("visual", "arm.obj")}</link><joint name="k" type="fixed"><parent link="base"/>'
     '<child link="eye"/></joint></robot>'
@@ -67,6 +69,12 @@ class DetachedLink(Rule):
             scaffold=ARM.replace("0 0 0.3", "0 0 -0.082").replace("</robot>", EYE),
             files={"arm.obj": wedge(0.3)},
             why="a plain shape may be smaller than its part",
+        ),
+        Good(
+            mesh("visual", "arm.obj"),
+            scaffold=ARM.replace("0.2 0.2 0.1", "1e-4 1e-4 1e-4"),
+            files={"arm.obj": wedge(0.3)},
+            why="the other link only shows where the robot is",
         ),
         Good(
             mesh("visual", "arm.obj") + mesh("visual", "missing.obj"),
@@ -130,11 +138,19 @@ def detached(model: Model) -> list[tuple[Joint, Link, float]]:
         elif link.has_mesh:
             long = max(map(length, islice(link.below(), CARRIED)))
             touching[joint] = max(NEAR, min(HIDDEN, HALF * long), SHARE * long)
-    apart = ((joint, joint.child_link, distance) for joint, distance in model.gaps(touching).items())
-    return [
-        *found,
-        *((joint, link, distance) for joint, link, distance in apart if distance and link is not None),
-    ]
+    for joint, distance in model.gaps(touching).items():
+        if distance and joint.child_link is not None:
+            found.append((joint, joint.child_link, distance))
+    return [each for each in found if has_company(each[1], drawn)]
+
+
+def has_company(link: Link, drawn: list[Link]) -> bool:
+    """Is there a body that does not hang on it, more than the mark of a place?"""
+    parent = link.parent_joints[0].parent_link
+    if parent is not None and parent.shapes and length(parent) > MARK:
+        return True
+    hanging = set(link.below())
+    return any(length(other) > MARK for other in drawn if other not in hanging)
 
 
 def is_measured(link: Link) -> bool:

@@ -4,6 +4,8 @@ from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity
 
 MOST = 10.0
 """Of 3,828 links in public robots that have both, none that moves differs so much."""
+REDUCED = 20.0
+"""The same for plain shapes that collide for a part of the body: a rod in a hip."""
 LEAST = 0.005
 """m: smaller shapes are marks of places."""
 SHAPE = '<{0} name="{0}"><geometry><box><size>{1}</size></box></geometry></{0}>'
@@ -16,6 +18,7 @@ class MismatchedCollisionSize(Rule):
 
     Both are the shape of one body. One of them has a scale that the other lacks, or an exporter wrote
     millimeters, centimeters or inches for one. Links are looked at that have a mesh which is on this computer.
+    A plain shape that collides for a part of its link may be a twentieth as long.
     """
 
     code = "GEO004"
@@ -43,6 +46,11 @@ class MismatchedCollisionSize(Rule):
             VISUAL + SHAPE.format("collision", "0.5 0.5 0.5"),
             files=FILES,
             why="a safety distance",
+        ),
+        Good(
+            VISUAL + SHAPE.format("collision", "0.007 0.007 0.007"),
+            files=FILES,
+            why="a plain shape for a part of the link",
         ),
         Good(
             VISUAL + SHAPE.format("collision", "0.001 0.001 0.001"),
@@ -77,4 +85,5 @@ def differs(link: Link) -> bool:
     if visuals is None or collisions is None or link.size_to_reach > 100:
         return False
     short, long = sorted((max(visuals.size), max(collisions.size)))
-    return short >= LEAST and long >= MOST * short
+    is_plain = short < max(visuals.size) and all(shape.geometry.shape != "mesh" for shape in link.collisions)
+    return short >= LEAST and long >= (REDUCED if is_plain else MOST) * short

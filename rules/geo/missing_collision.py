@@ -8,6 +8,7 @@ NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
+OFF = frozenset(("0", "false", "no"))
 MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
 
@@ -70,6 +71,20 @@ class MissingCollision(Rule):
         ),
         Good(
             robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
+                "</robot>", '<gazebo reference="right_wheel"><gravity>0</gravity></gazebo></robot>'
+            ),
+            why="without weight it is only there to be seen",
+        ),
+        Good(
+            robot("base visual", *(f"{name} visual collision" for name in "abcde"), "tip visual").replace(
+                "</robot>",
+                f'<link name="hand">{BOX.format("collision")}</link><joint name="hold" type="fixed">'
+                '<parent link="tip"/><child link="hand"/></joint></robot>',
+            ),
+            why="a link that is fixed to it collides",
+        ),
+        Good(
+            robot("base visual collision", "left_wheel visual collision", "right_wheel visual").replace(
                 "</link><link", f"{MASS}</link><link", 2
             ),
             why="massless-moving-link reports that it has no mass either",
@@ -103,7 +118,8 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
     if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
-    bare = [link for link in moving if not link.has("collision") and not link.misspells("collision")]
+    bare = [link for link in moving if not (link.has("collision") or link.misspells("collision"))]
+    bare = [link for link in bare if not is_weightless(link)]
     if any(link.has_mass for link in moving):
         bare = [link for link in bare if link.has_mass]  # else that is the mistake
     found: list[tuple[Link, Link | None]] = []
@@ -115,6 +131,32 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
         elif not alike and len(bare) == 1 and len(moving) > LEAST and not is_exempt(link, moving):
             found.append((link, None))
     return found
+
+
+def is_covered(link: Link) -> bool:
+    """Does a link collide that is tied to it from below?"""
+    tied, waiting = {link}, [link]
+    while waiting:
+        for joint in waiting.pop().child_joints:
+            child = joint.child_link
+            if joint.is_fixed and child is not None and child not in tied:
+                if child.has("collision"):
+                    return True
+                tied.add(child)
+                waiting.append(child)
+    return False
+
+
+def is_weightless(link: Link) -> bool:
+    """Does gravity not pull it?"""
+    own = link.find("gravity")
+    blocks = link.model.blocks_by_reference.get(link.name, ()) if link.is_urdf else ()
+    said = (
+        [own.content]
+        if own is not None
+        else [value.text for each in blocks for value in each.settings("gravity")]
+    )
+    return any(text.strip().lower() in OFF for text in said)
 
 
 def numbered(link: Link) -> list[Link]:
@@ -131,10 +173,13 @@ def numbered(link: Link) -> list[Link]:
 
 
 def is_exempt(link: Link, others: list[Link]) -> bool:
-    """Is the collision in a comment, or the link less than half as long as most others, like parts inside of joints?"""
+    """Is the collision in a comment or in a link that is tied to it, or is it short, like parts inside of joints?
+
+    A link is short that is less than half as long as most others.
+    """
     from statistics import median
 
-    if link.switches_off("collision"):
+    if link.switches_off("collision") or is_covered(link):
         return True
     own = link.visual_box
     lengths = [

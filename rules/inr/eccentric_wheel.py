@@ -19,6 +19,10 @@ WHEEL = (
     '<origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.1" length="0.05"/></geometry></collision></link>'
     '<joint name="j" type="continuous"><parent link="base"/><child link="wheel"/><axis xyz="0 1 0"/></joint></robot>'
 )
+LEG = (
+    f'<link name="leg">{INERTIAL.format("0 0 -0.2")}</link><joint name="k" type="revolute"><parent link="wheel"/>'
+    '<child link="leg"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="9" velocity="9"/></joint></robot>'
+)
 
 
 class EccentricWheel(Rule):
@@ -47,6 +51,10 @@ class EccentricWheel(Rule):
     good = (
         Good(WHEEL.format("0.001 0 0.002")),
         Good(WHEEL.format("0 0.03 0"), why="along the axis"),
+        Good(
+            WHEEL.format("0.02 0 0.03").replace("</robot>", LEG),
+            why="a hip, which carries the rest of a leg",
+        ),
     )
 
     @staticmethod
@@ -73,6 +81,8 @@ def eccentricity(link: Link) -> tuple[float, float] | None:
     length = hypot(*axis)
     if shape.geometry.shape not in ROUND or shape.position is None or len(axis) != 3 or not 0 < length < inf:
         return None
+    if any(each.moves for each in link.child_joints):
+        return None  # a hip, not a wheel
     unit, radius = [each / length for each in axis], float(shape.geometry.radius)
     if shape.geometry.shape == "cylinder" and abs(along(shape.along or (0.0, 0.0, 0.0), unit)) < PARALLEL:
         return None

@@ -48,6 +48,12 @@ class ExcessDensity(Rule):
             + '<collision name="c"><geometry><box><size>0.001 0.001 0.001</size></box></geometry></collision>',
             why="a mark of a light part",
         ),
+        Good(
+            MASS.format("500")
+            + BOX
+            + '<visual name="v"><geometry><mesh><uri>missing.stl</uri></mesh></geometry></visual>',
+            why="the visual, whose size is not known, may be larger",
+        ),
     )
 
     @staticmethod
@@ -78,6 +84,8 @@ def is_too_dense(inertial: Inertial) -> bool:
     if not inertial.mass.is_given or (inertial.is_light and not inertial.link.has_mesh):
         return False
     link = inertial.link
+    if link.visuals and link.visual_box is None:
+        return False
     if (
         link.holder is not None
         and link.holder.kind == "model"

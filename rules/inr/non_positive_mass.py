@@ -97,7 +97,10 @@ class NonPositiveMass(Rule):
             affects.setdefault(Consumer.GAZEBO, REFUSES if inertial.is_urdf else warns("takes it as it is"))
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)
             message = f"{link.title} has {what}"
-            yield self.diagnostic(mass, message, severity=Severity.WARNING, affects=affects)
+            # PyBullet takes such a root for one that stands still.
+            stands = inertial.is_urdf and not link.parent_joints and link.root.is_of_python
+            severity = Severity.INFO if stands else Severity.WARNING
+            yield self.diagnostic(mass, message, severity=severity, affects=affects)
             return
         if not _moves(link):
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)

@@ -13,6 +13,8 @@ UNLIMITED = 100.0
 """Both ways this is another one, as 1000 is."""
 FAST, ROUNDED = 90.0, 50
 """Whole numbers from the first on are usual speeds in degrees a second; multiples of the second mean no limit."""
+COARSEST = 0.1
+"""rad: one digit after the point is enough to tell turns from other angles."""
 
 
 class LimitsInDegrees(Rule):
@@ -71,6 +73,10 @@ class LimitsInDegrees(Rule):
         Good(
             "<axis><xyz>0 0 1</xyz><limit><lower>-62.8319</lower><upper>62.8319</upper></limit></axis>",
             why="twenty turns",
+        ),
+        Good(
+            "<axis><xyz>0 0 1</xyz><limit><lower>-31.4</lower><upper>31.4</upper></limit></axis>",
+            why="ten turns, rounded",
         ),
         Good("<axis><xyz>0 0 1</xyz><limit><lower>-1.5</lower><upper>45</upper></limit></axis>"),
         Good(
@@ -142,8 +148,9 @@ def is_fast_by_degrees(limit: Limit) -> bool:
 
 
 def is_whole_turns(angle: float) -> bool:
-    """Is an angle in radians a number of whole turns, as few others are?"""
-    return abs(remainder(angle, tau)) < 1e-5 * abs(angle)
+    """Is an angle in radians a number of whole turns, to the digits that are written, as few others are?"""
+    last_digit = 10.0 ** -len(f"{angle}".partition(".")[2])
+    return abs(remainder(angle, tau)) < max(1e-5 * abs(angle), last_digit if last_digit <= COARSEST else 0.0)
 
 
 TURNING = frozenset({"revolute", "revolute2", "universal"})

@@ -1,13 +1,17 @@
 from collections.abc import Iterator, Sequence
-from math import hypot
+from math import dist, hypot
 from operator import mul
 
 from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
+from sdfcheck_rules.jnt.asymmetric_joint import origin_of
 
 LEAST, TWINS = 3, 2
 """Counterparts that agree: by their names, or by the same meshes."""
 NEAR = 0.02
 """Of the cosine: the axes of parts that were measured differ by as much."""
+ASIDE, APART = 0.005, 0.15
+"""How far a finger is from the middle of its hand (m), and the share of its distance that it may be off the place of
+the mirror image of another one."""
 SIDES = ("front_left", "front_right", "rear_left", "rear_right")
 
 
@@ -21,13 +25,13 @@ def wheels(*axes: str) -> str:
     return f'<robot name="r"><link name="base"/>{text}</robot>'
 
 
-def fingers(*axes: str) -> str:
+def fingers(*axes: str, places: tuple[str, ...] = ("0 0 0",) * 3) -> str:
     """A hand with a finger of one mesh for each axis."""
     visual = '<visual><geometry><mesh filename="finger.stl"/></geometry></visual>'
     text = "".join(
         f'<link name="{name}">{visual}</link><joint name="{name}_joint" type="continuous"><parent link="palm"/>'
-        f'<child link="{name}"/><origin rpy="0 0 {turn}"/><axis xyz="{axis}"/></joint>'
-        for turn, (name, axis) in enumerate(zip("abc", axes, strict=True))
+        f'<child link="{name}"/><origin xyz="{place}"/><axis xyz="{axis}"/></joint>'
+        for name, axis, place in zip("abc", axes, places, strict=True)
     )
     return f'<robot name="r"><link name="palm"/>{text}</robot>'
 
@@ -66,6 +70,10 @@ class OpposedAxis(Rule):
     good = (
         Good(wheels("0 1 0", "0 -1 0", "0 1 0", "0 -1 0"), why="mirrored"),
         Good(wheels(*["0 1 0"] * 4)),
+        Good(
+            fingers("0 1 0", "0 1 0", "0 -1 0", places=("0.03 0 0.1", "0.01 0 0.1", "-0.01 0 0.1")),
+            why="the fingers spread from the middle of the hand",
+        ),
     )
 
     @staticmethod
@@ -87,13 +95,26 @@ def is_opposed(joint: Joint) -> bool:
     return bool(others) and cosine(joint.axis.xyz, others[0].axis.xyz) < NEAR - 1
 
 
+def is_across(joint: Joint, other: Joint) -> bool:
+    """Is it where the mirror image of another one is, on the other side of their link?"""
+    own, its = origin_of(joint), origin_of(other)
+    near = APART * hypot(*own)
+    return len(own) == len(its) == 3 and any(
+        abs(own[axis]) > ASIDE
+        and dist(own, [-at if axis == each else at for each, at in enumerate(its)]) < near
+        for axis in range(3)
+    )
+
+
 def agreeing(joint: Joint) -> tuple[Joint, ...]:
     """The other joints of its kind, if they have one axis, and there are enough of them."""
     named = joint.counterparts
     if len(named) >= LEAST and all(turns(other) == turns(joint) for other in named) and has_one_axis(named):
         return named
     twins = joint.twins
-    return twins if len(twins) >= TWINS and has_one_axis(twins) else ()
+    if len(twins) < TWINS or not has_one_axis(twins) or any(is_across(joint, twin) for twin in twins):
+        return ()
+    return twins
 
 
 def has_one_axis(joints: tuple[Joint, ...]) -> bool:

@@ -44,6 +44,13 @@ class UnopenedMesh(Rule):
             scaffold="",
             why="the path is taken off",
         ),
+        Good(
+            '<robot name="r"><mujoco><compiler meshdir="m"/></mujoco><link name="a">'
+            + MESH.format("package://p/a.stl")
+            + "</link></robot>",
+            scaffold="",
+            why="unstripped-path owns a folder that is not reached",
+        ),
     )
 
     @staticmethod
@@ -61,7 +68,8 @@ class UnopenedMesh(Rule):
 def _by_scheme(model: Model) -> dict[str, list[Value]]:
     """The meshes whose address has a scheme, unless MuJoCo is set to take the name of the file alone."""
     found: dict[str, list[Value]] = {}
-    if not model.is_urdf or compiler(model).get("strippath") == "true":
+    settings = compiler(model)
+    if not model.is_urdf or settings.get("strippath") == "true" or "meshdir" in settings:
         return found
     for value in mesh_files(model):
         scheme, delimiter, _ = value.text.strip().partition(":/")

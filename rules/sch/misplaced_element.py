@@ -56,6 +56,10 @@ class MisplacedElement(Rule):
         ),
         Bad("<«wrench»>0 0 0 0 0 0</wrench>", says="it goes into `link_state`"),
         Bad(
+            "<«laser_retro»>0</laser_retro><max_contacts>4</max_contacts><geometry/>",
+            says="`laser_retro`, `max_contacts` and `geometry` do not belong in link `base`; they go into `collision`",
+        ),
+        Bad(
             '<sensor name="s" type="imu"><imu><angular_velocity><«noise»/></angular_velocity></imu></sensor>',
             says="it goes into `x`, `y` or `z`",
         ),
@@ -112,6 +116,10 @@ class MisplacedElement(Rule):
             "</model></sdf>",
             scaffold="{}",
             why="syntax-error says that the model ends twice",
+        ),
+        Good(
+            "<type>crate</type>",
+            why="unknown-element owns a word that no `type` of the format may be: it is somebody's own",
         ),
         Good("<contact><lateral_friction>1</lateral_friction></contact>", why="PyBullet reads it"),
     )

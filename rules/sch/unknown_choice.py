@@ -11,6 +11,7 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    Value,
     listed,
     problems,
     unreadable,
@@ -86,6 +87,11 @@ class UnknownChoice(Rule):
             scaffold=IN_ROBOT,
             says="unknown `type` of joint `j`: `hinge`",
         ),
+        Bad(
+            '<link name="arm"/><joint name="j" type="«spherical»"><parent link="base"/><child link="arm"/></joint>',
+            scaffold=IN_ROBOT,
+            says="`spherical`, which MuJoCo and PyBullet alone know",
+        ),
     )
     good = (
         Good(
@@ -112,6 +118,9 @@ class UnknownChoice(Rule):
         if value.attribute is not None:
             place = f"`{value.attribute}` of {value.element.title}"
         message = f"unknown {place}: `{value.text.strip()}`"
+        is_read = is_of_simulators(value)
+        if is_read:
+            message += ", which MuJoCo and PyBullet alone know"
         known = f"known {'are' if len(choices) > 1 else 'is'} {listed(choices)}"
         guess = problem.suggestion
         yield self.diagnostic(
@@ -119,8 +128,14 @@ class UnknownChoice(Rule):
             message,
             meant=guess,
             help=known if guess is None or len(choices) <= MANY else None,
-            severity=None if problem.refused else Severity.WARNING,
+            severity=None if problem.refused and not is_read else Severity.WARNING,
             affects=unreadable(value)
             if problem.refused
             else dict.fromkeys(Consumer, warns("takes a default")),
         )
+
+
+def is_of_simulators(value: Value) -> bool:
+    """Is it the ball joint of URDF that two simulators read?"""
+    parent = value.element.parent
+    return value.text.strip() == "spherical" and parent is not None and parent.name == "robot"

@@ -5,16 +5,16 @@ from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Part, Root, Rule, Severity
 
 QUICK = re.compile(r"<!--(?:(?!-->)[^:])*(?::|\Z)")
 DIRECTIVE = "sdfcheck:"
+CUSTOMARY = ("base_link", "base_footprint")
+"""Names that users of ROS write; in a project of Python alone others do as well."""
 OF_ROS = (
-    "base_link",
-    "base_footprint",
     "package://",
     "$(find ",
     "ros_control",
     "ros2_control",
     "libgazebo_ros",
 )
-"""Customary names and things that only users of ROS write."""
+"""Only users of ROS write these."""
 COLON = re.compile(r":(?=\s)")
 
 
@@ -83,7 +83,11 @@ def is_description(root: Part) -> bool:
     """Is it a whole robot, not a part of others, for ROS?"""
     text, children = root.document.source.text, {child.name for child in root.children()}
     has_joints = "joint" in children or any(name.startswith("xacro:") for name in children)
-    return bool(root.element.attributes.get("name")) and has_joints and any(mark in text for mark in OF_ROS)
+    if not root.element.attributes.get("name") or not has_joints:
+        return False
+    if any(mark in text for mark in OF_ROS):
+        return True
+    return any(name in text for name in CUSTOMARY) and not root.root.is_of_python
 
 
 def colons(root: Root) -> list[Span]:

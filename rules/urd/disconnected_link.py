@@ -65,6 +65,7 @@ class DisconnectedLink(Rule):
                 affects=dict.fromkeys(Consumer, REFUSES),
             )
         tied = set(_tied_for_drake(robot))
+        is_for_mujoco = robot.find("mujoco") is not None
         for group in tree.loose_groups:
             if len(group) == 1:
                 link = group[0]
@@ -74,7 +75,8 @@ class DisconnectedLink(Rule):
                     message += ", unless an argument brings one"
                 known = {Consumer.DRAKE: accepts("knows the joint")} if link.name in tied else {}
                 labels = {tree.top(tree.groups[0]): "the root of the rest"}
-                severity = Severity.WARNING if may_be else None
+                # MuJoCo, which the robot has settings for, fixes it to the world.
+                severity = Severity.WARNING if may_be or is_for_mujoco else None
                 yield self.diagnostic(link, message, labels=labels, affects=known, severity=severity)
 
 

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Link, Model, Reaction, Rule, Severity, accepts, refuses
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Link,
+    Mimic,
+    Model,
+    Reaction,
+    Rule,
+    Severity,
+    accepts,
+    refuses,
+)
 from sdfcheck_rules.urd.without_mass import in_drake
 
 INERTIA = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
@@ -19,7 +32,8 @@ class MasslessMovingLink(Rule):
     matrix singular, and the simulation fails. A link counts as massless when it and all links that
     fixed joints tie to it from below have no more than 1e-6 kg together. The same holds below a fixed
     joint that libsdformat has to keep. Where something is fixed to such a link or to one below it, a
-    frame is left that hangs on nothing, and libsdformat 17 refuses the file.
+    frame is left that hangs on nothing, and libsdformat 17 refuses the file; so it does where another joint
+    mimics the one that is dropped.
     """
 
     code = "URD014"
@@ -42,6 +56,16 @@ class MasslessMovingLink(Rule):
             '<joint name="k" type="fixed"><parent link="b"/><child link="c"/></joint>',
             says="drops it and the 1 link below it",
         ),
+        Bad(
+            f'<«link» name="b"/><link name="c">{MASS}</link>'
+            '<joint name="k" type="continuous"><parent link="a"/><child link="c"/><mimic joint="j"/></joint>',
+            says="so libsdformat drops it, and refuses joint `k`, which follows joint `j`",
+        ),
+        Bad(
+            f'<«link» name="b"/><link name="c">{MASS}</link>'
+            '<joint name="k" type="continuous"><parent link="b"/><child link="c"/><mimic joint="j"/></joint>',
+            says="so libsdformat drops it and the 1 link below it",
+        ),
         Bad('<link name="b"><inertial><mass value="«0»"/>' + INERTIA + "</inertial></link>"),
         Bad(
             '<link name="b"><inertial><mass value="«1e-7»"/>' + INERTIA + "</inertial></link>",
@@ -62,7 +86,14 @@ class MasslessMovingLink(Rule):
         return bool(dropped(robot))
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
-        for link in dropped(robot):
+        links = dropped(robot)
+        gone = set(robot.tree.below(*links))
+        followers = {
+            mimic.leader: mimic.joint
+            for mimic in robot.root.each(Mimic)
+            if mimic.joint.child_link is not None and mimic.joint.child_link not in gone
+        }
+        for link in links:
             joint = link.parent_joints[0]
             below = sum(1 for _ in link.below()) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
@@ -72,13 +103,19 @@ class MasslessMovingLink(Rule):
             amount = f"a mass of {mass.text.strip()} kg, which counts as none," if is_tiny else "no mass,"
             message = f"{link.title} {what} and has {amount} so libsdformat drops it{others}"
             labels = {joint: "is kept" if joint.is_fixed else "moves it"}
-            place = mass if mass.is_given else link
-            yield self.diagnostic(place, message, labels=labels, affects=_affects(link))
+            follower = followers.get(joint)
+            if follower is not None:
+                message += f", and refuses {follower.title}, which follows {joint.title}"
+                labels[follower] = "follows it"
+            affects = _affects(link, is_followed=follower is not None)
+            yield self.diagnostic(mass if mass.is_given else link, message, labels=labels, affects=affects)
 
 
-def _affects(link: Link) -> dict[Consumer, Reaction]:
+def _affects(link: Link, *, is_followed: bool) -> dict[Consumer, Reaction]:
     found = in_drake(link)
-    if any(joint.is_lumped for each in link.below() for joint in each.child_joints):
+    if is_followed:
+        found[Consumer.GAZEBO] = refuses("refuses the file: the leader of a mimic is not there")
+    elif any(joint.is_lumped for each in link.below() for joint in each.child_joints):
         found[Consumer.GAZEBO] = refuses(
             "refuses the file; before version 17 drops the link and those below it"
         )

@@ -22,6 +22,8 @@ _BUILT = ("install", "devel", "build")
 _INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _REMARK = re.compile(r"#[^\n]*")
+PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
+"""One of them is in a project of Python."""
 _STOP = frozenset(
     {"PATTERN", "FILES_MATCHING", "USE_SOURCE_PERMISSIONS", "PERMISSIONS", "RENAME", "OPTIONAL"}
 )
@@ -348,6 +350,16 @@ def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
     """Is the package that a file is in built by ament alone?"""
     manifest = _manifest_around(path)
     return "ament_" in manifest and ">catkin<" not in manifest
+
+
+def is_of_python(path: str | os.PathLike[str]) -> bool:
+    """Is it in a project of Python, and in no package of ROS?"""
+    for folder in _folders_around(os.path.abspath(path)):
+        if os.path.isfile(os.path.join(folder, "package.xml")):
+            return False
+        if any(os.path.isfile(os.path.join(folder, name)) for name in PYTHON):
+            return True
+    return False
 
 
 def _manifest_around(path: str | os.PathLike[str]) -> str:

@@ -26,6 +26,7 @@ from sdfcheck.robot.naming.name import (
     NODES,
     WORLD_FRAME,
     UnknownName,
+    counts_on,
     mirrored,
     other_letter,
     without_sides,
@@ -1159,7 +1160,7 @@ class Joint(Node):
             return None
         joints, name = self.model.joints_by_name, mirrored(self.name)
         name = name if name != self.name else other_letter(name, joints)
-        return joints.get(name) if name != self.name else None
+        return joints.get(name) if name != self.name and not counts_on(self.name, name, joints) else None
 
     @property
     def reach(self) -> Reach | None:

@@ -419,6 +419,12 @@ def _three(text: str) -> tuple[float, float, float] | None:
 # The whole that parts are of.
 
 
+def _is_of_python(document: Document) -> bool:
+    from sdfcheck.files.packages import is_of_python
+
+    return is_of_python(document.path)
+
+
 class Whole(Part):
     """One reading of a file: what the parts in it ask of it. The rest is in its :class:`sdfcheck.robot.root.Root`."""
 
@@ -443,6 +449,11 @@ class Whole(Part):
     @property
     def document(self) -> Document:
         return self._document
+
+    @property
+    def is_of_python(self) -> bool:
+        """Is it in a project of Python, and in no package of ROS?"""
+        return self.document.view(_is_of_python)
 
     def class_of(self, holder: Part, element: Element) -> type[Part]:
         """The class of the part that an element in a part makes."""

@@ -555,8 +555,8 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
     if _is_elsewhere(path, library.packages(path)):
         return
     for robot in _declared_robots(semantics, library, expand):
-        if robot is not None and _score(semantics, robot) >= _FEWEST:
-            semantics.robots = (robot,)
+        if robot is not None and (score := _score(semantics, robot)) >= _FEWEST:
+            semantics.robots = (robot,) if score == 1 else _extended(semantics, robot, own, expand)
             return
         is_complete &= robot is not None
     for packages in (own, library.packages(path)):
@@ -571,6 +571,17 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         alike = _called_alike(semantics, own)
         semantics.robots = () if alike is None else (alike,)
         semantics.namesake = _declared_namesake(semantics, library, expand) or _namesake(semantics, own)
+
+
+def _extended(semantics: Semantics, meant: Model, own: Packages, expand: Expand | None) -> tuple[Model, ...]:
+    """The robot in the package of the file, which may add parts to that for which MoveIt's assistant made it.
+
+    It is not known where one of them cannot be expanded.
+    """
+    candidates = list(_candidates(semantics, own, expand, but=meant.document.path))
+    if None in candidates:
+        return ()
+    return (max((meant, *filter(None, candidates)), key=lambda robot: _score(semantics, robot)),)
 
 
 def _is_decided(
@@ -738,14 +749,16 @@ def _score(semantics: Semantics, robot: Model) -> float:
     return sum(part.value.text.strip() in known[part.kind] for part in asked) / max(len(asked), 1)
 
 
-def _candidates(semantics: Semantics, packages: Packages, expand: Expand | None) -> Iterator[Model | None]:
-    """The robots of its name that have links; None for each that cannot be expanded."""
+def _candidates(
+    semantics: Semantics, packages: Packages, expand: Expand | None, but: Path | None = None
+) -> Iterator[Model | None]:
+    """The robots of its name that have links, ``but`` that of a file; None for each that cannot be expanded."""
     found = guesses = 0
     suffixes = (".urdf", ".xacro") if expand is not None else (".urdf",)
     for path in files_of_robots(semantics.document, packages, suffixes):
         if found == MOST_ROBOTS:
             return
-        head = _own_head(path, semantics)
+        head = _own_head(path, semantics) if path != but else None
         if head is None:
             continue
         guesses += is_expression(head.name)

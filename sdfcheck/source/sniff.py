@@ -133,6 +133,8 @@ _SRDF_TAGS = frozenset({"disable_collisions", "group_state", "virtual_joint", "d
 _BODY = frozenset({"link", "joint"})
 _TAG = pattern(r"<(/?)([A-Za-z_][\w:.-]*)[^<>]*?(/?)>")
 _TEMPLATE_TAGS = ("<%", "{% ", "{%-")
+_BARE = pattern(r"\s\$[A-Za-z_]\w*\s*/?>")
+"""Attributes that a program fills in: ``<origin $POSE/>``, as in ``string.Template`` of Python."""
 _TEMPLATE_MARKS = (*_TEMPLATE_TAGS, "{{", "@")
 _CONFIGURED = pattern(r"[\s\">]@[A-Z][A-Z0-9_]*@[\s\"<]")
 """A value that CMake or a script writes."""
@@ -328,6 +330,8 @@ def _is_template(text: str, path: Path) -> bool:
         return True
     if path.suffix.lower() in TEMPLATE_SUFFIXES:
         return _holds(text, _TEMPLATE_MARKS)
+    if "$" in text and "xacro" not in text and len(_BARE.findall(text)) > 1:
+        return True
     if "%" not in text or not _holds(text, _TEMPLATE_TAGS):
         return False
     is_one_value = "<%=" in text and sum(map(text.count, _TEMPLATE_TAGS)) == 1

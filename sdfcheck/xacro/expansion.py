@@ -12,6 +12,7 @@ from typing import Any, TypeGuard
 from sdfcheck.files.library import Surroundings as Places
 from sdfcheck.files.packages import Packages, is_shared, project_root
 from sdfcheck.files.regular import Bounds, note_read, read_named
+from sdfcheck.source.decode import EncodingDefect
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
@@ -175,9 +176,10 @@ def _syntax(case: _Case) -> Problem:
     detail = str(case.report["message"])
     if not case.report.get("place"):  # the file itself: no include was under way
         return ExpansionFailure(fault, Failure.TEXT, detail, cause=fault)
-    defects = (
-        each.span for each in Document(source, Kind.XACRO, []).problems if isinstance(each, SyntaxDefect)
-    )
+    document = Document(source, Kind.XACRO, [])
+    if case.report.get("is_undecoded"):
+        document = read(read_named(source.path), source.path, Kind.XACRO)
+    defects = (each.span for each in document.problems if isinstance(each, (SyntaxDefect, EncodingDefect)))
     cause = next(defects, fault)
     return ExpansionFailure(case.span(), Failure.SYNTAX, detail, origins=case.origins, cause=cause)
 

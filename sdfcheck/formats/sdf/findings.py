@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from sdfcheck.formats import history, problems
+from sdfcheck.formats.choices import Verdict
 from sdfcheck.formats.findings import (
     Findings,
     counted,
@@ -231,13 +232,15 @@ class SdfFindings(Findings):
             return
         if child.span.start >= self.unclosed:
             return
-        suggestion = suggest(name, place.children) or _setting(name, place)
-        if known := history.known_parents(name, self.version):
+        is_sdf = self.document.kind is Kind.SDF
+        suggestion = suggest(name, place.children) or (None if is_sdf else _setting(name, place))
+        known = history.known_parents(name, self.version)
+        if known and not self.is_of_another_kind(child):
             if self.is_cut_off(child, parent, known):
                 return
             ignored = name not in _FOUND_ANYWHERE
             # Drake refuses SDFormat for it, whatever it says.
-            is_default = self.document.kind is not Kind.SDF and self.is_default(child)
+            is_default = not is_sdf and self.is_default(child)
             found = problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default)
             if suggestion is not None or not ignored:
                 self.found.append(found.changed(places=likely_parents(known, parent, place)))
@@ -260,6 +263,14 @@ class SdfFindings(Findings):
         known = (schema(self.version).at(each.place) for each in history.known_places(element.name))
         defaults = [each.given_default for each in known if each is not None]
         return bool(element.content) and bool(defaults) and all(map(_same(element.content), defaults))
+
+    def is_of_another_kind(self, element: Element) -> bool:
+        """Has it a word that no place of its name lists? It is somebody's own, whatever it is called."""
+        known = (schema(self.version).at(each.place) for each in history.known_places(element.name))
+        lists = [each.choices for each in known if each is not None]
+        return bool(element.content and lists) and all(
+            each is not None and each.judge(element.content) is Verdict.UNKNOWN for each in lists
+        )
 
     def custom(self, child: Element, parent: Element, place: Definition) -> None:
         super().custom(child, parent, place)

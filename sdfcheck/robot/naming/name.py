@@ -116,6 +116,15 @@ def mirrored(name: str) -> str:
     return there if len(sides) == 1 else name
 
 
+def counts_on(name: str, there: str, names: Container[str]) -> bool:
+    """Is the side that two names differ by one of several letters: are there little, ring and *middle* fingers?"""
+    differs = [at for at, (one, other) in enumerate(zip(name, there, strict=False)) if one != other]
+    if len(differs) != 1:
+        return False
+    at = differs[0]
+    return name[:at] + _like(name[at], "m") + name[at + 1 :] in names
+
+
 def other_letter(name: str, names: Container[str]) -> str:
     """The name with ``r`` for ``l`` at its end, or the other way; the same where the letters of others count on."""
     stem, letter = name[:-1], name[-1:]

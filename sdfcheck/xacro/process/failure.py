@@ -139,8 +139,9 @@ def _judge(error: BaseException, spot: Spot) -> Record:
         what = errors.messages.get(root.code, message)
         return {"kind": "syntax", "message": what, "at": [root.lineno, root.offset + 1]}
     if isinstance(root, UnicodeDecodeError):
-        lines = root.object[: root.start].decode("utf-8").split("\n")
-        return {"kind": "syntax", "message": "its text is not UTF-8", "at": [len(lines), len(lines[-1]) + 1]}
+        what = f"byte 0x{root.object[root.start]:02x} is not {root.encoding.upper()}"
+        # Only a part of the file was decoded: it is read once more to find the place.
+        return {"kind": "syntax", "message": what, "at": [1, 1], "is_undecoded": True}
     if isinstance(root, OSError):
         return {"kind": "file", "name": str(root.filename), "message": (root.strerror or "").lower()}
     return _of_xacro(root, spot)

@@ -10,12 +10,13 @@ those that it includes. Where a value is not known, the argument is left out.
 from __future__ import annotations
 
 import ast
+import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
 from html import unescape
 from itertools import islice
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages, is_of_ros_1
@@ -43,6 +44,17 @@ _LONGEST_VALUE = 1_000
 """The same for the default of an argument, of which a text may hold many."""
 
 _UNKNOWN = "\0"
+_NO_OTHER = "\ue000"
+"""It in the text of an expression."""
+_COMPARISONS: Mapping[type[ast.cmpop], Callable[[Any, Any], bool]] = {
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.In: lambda one, other: one in other,
+    ast.NotIn: lambda one, other: one not in other,
+}
+_METHODS: Mapping[str, Callable[..., Any]] = {
+    method.__name__: method for method in (str.lower, str.upper, str.strip, str.startswith, str.endswith)
+}
 _VALUE = re.compile(r"=\s*(?:\"([^\"]*)\"|'([^']*)')")
 _TAG = re.compile(r"<(/?)(arg|include|let)\b([^<>]*)>")
 _ATTRIBUTE = re.compile(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
@@ -406,7 +418,37 @@ class _Python:
             return inner(given[0])
         if name in {"FindPackageShare", "get_package_share_directory"} and given:
             return f"$(find {inner(given[0])})"
+        return _computed(inner(given[0])) if name == "PythonExpression" and given else _UNKNOWN
+
+
+def _computed(expression: str) -> str:
+    """The text that an expression of Python gives, if it is made of texts; one that is not known equals no other."""
+    try:
+        tree = syntax_tree(expression.replace(_UNKNOWN, _NO_OTHER), "eval")
+        value = _value(tree.body) if isinstance(tree, ast.Expression) else _UNKNOWN
+    except (SyntaxError, ValueError, RecursionError, MemoryError, TypeError, KeyError):
         return _UNKNOWN
+    return str(value).replace(_NO_OTHER, _UNKNOWN)
+
+
+def _value(node: ast.expr) -> Any:
+    """The value of a choice among texts; raises KeyError where an expression is something else."""
+    match node:
+        case ast.Constant(value=str() | bool() as value):
+            return value
+        case ast.IfExp(test=test, body=chosen, orelse=other):
+            return _value(chosen if _value(test) else other)
+        case ast.BoolOp(op=ast.And(), values=values):
+            return all(map(_value, values))
+        case ast.BoolOp(values=values):
+            return any(map(_value, values))
+        case ast.UnaryOp(op=ast.Not(), operand=operand):
+            return not _value(operand)
+        case ast.Compare(left=left, ops=[comparison], comparators=[right]):
+            return _COMPARISONS[type(comparison)](_value(left), _value(right))
+        case ast.Call(func=ast.Attribute(value=text, attr=method), args=given, keywords=[]):
+            return _METHODS[method](_value(text), *map(_value, given))
+    raise KeyError(type(node))
 
 
 def _called(call: ast.Call) -> str:

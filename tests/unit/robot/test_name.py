@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.robot.naming.name import mirrored
+from sdfcheck.robot.naming.name import counts_on, mirrored
 
 
 @pytest.mark.parametrize(
@@ -25,3 +25,16 @@ from sdfcheck.robot.naming.name import mirrored
 )
 def test_the_name_on_the_other_side(name: str, other: str) -> None:
     assert mirrored(name) == other
+
+
+@pytest.mark.parametrize(
+    ("name", "others", "counts"),
+    [
+        ("LFJ4", ("RFJ4", "MFJ4", "FFJ4"), True),
+        ("LFJ4", ("RFJ4", "LHJ4", "RHJ4"), False),
+        ("lf_hip", ("rf_hip", "mf_hip"), True),
+        ("left_hip", ("right_hip", "meft_hip"), False),
+    ],
+)
+def test_little_and_ring_fingers_are_no_sides(name: str, others: tuple[str, ...], *, counts: bool) -> None:
+    assert counts_on(name, mirrored(name), others) is counts

@@ -135,6 +135,33 @@ def test_the_robot_is_expanded_with_the_arguments_of_the_assistant(package: Path
     assert found(package, wrong) == []
 
 
+@pytest.mark.parametrize(
+    ("added", "expected"),
+    [
+        ("", [("SRD001", "hnd")]),
+        ('<link name="hand"/>', [("SRD001", "hnd")]),
+        ('<link name="hnd"/>', []),
+        ('<xacro:include filename="$(find cameras)/hands.xacro"/><xacro:hand name="hnd"/>', []),
+    ],
+)
+def test_the_package_of_the_file_adds_to_the_robot_of_the_assistant(
+    package: Path, added: str, expected: list[tuple[str, str]]
+) -> None:
+    (package / ".git").mkdir()
+    configured = package / "moveit"
+    for name in ("moveit", "q"):
+        (package / name).mkdir()
+        (package / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    (package / "arm.urdf").rename(package / "q" / "arm.urdf")
+    (configured / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: arm.urdf\n")
+    (configured / "arm.urdf.xacro").write_text(
+        '<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">'
+        f'<xacro:include filename="$(find q)/arm.urdf"/>{added}</robot>'
+    )
+    wrong = ARM + '<group name="g"><link name="hnd"/></group>'
+    assert [each for each in found(configured, wrong) if each[0].startswith("SRD")] == expected
+
+
 def test_the_robot_of_the_assistant_has_another_name(package: Path) -> None:
     (package / ".git").mkdir()
     configured = package / "moveit"

@@ -265,3 +265,36 @@ def test_a_missing_moment_is_one_finding(moment: float, codes: list[str], tmp_pa
         "</link></model></sdf>"
     )
     assert [each.code for each in sdfcheck.lint(path, isolated=True).diagnostics] == codes
+
+
+@pytest.mark.parametrize(
+    ("beside", "severity"),
+    [
+        ("", "warning"),
+        ("pyproject.toml", "info"),
+        ("package.xml", "warning"),
+        ("pyproject.toml package.xml", "warning"),
+    ],
+)
+def test_a_robot_of_a_project_of_python_is_not_one_of_ros(beside: str, severity: str, tmp_path: Path) -> None:
+    for name in beside.split():
+        (tmp_path / name).write_text("<package><name>p</name></package>" if name == "package.xml" else "")
+    (tmp_path / "a").mkdir()
+    path = tmp_path / "a" / "a.urdf"
+    moments = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
+    limit = '<limit lower="0" upper="1" effort="1" velocity="1"/>'
+    for code, mass, joint in (("URD008", 1, "revolute"), ("INR001", 0, "fixed")):
+        text = URDF.format(limit).replace('"a"', '"base_link"').replace("revolute", joint)
+        for name, kilograms in (("base_link", mass), ("b", 1)):
+            link = f'<link name="{name}"><inertial><mass value="{kilograms}"/>{moments}'
+            text = text.replace(f'<link name="{name}"/>', link)
+        path.write_text(text)
+        found = sdfcheck.lint(path, isolated=True).diagnostics
+        assert [each.severity.value for each in found if each.code == code] == [severity]
+
+
+@pytest.mark.parametrize(("settings", "severity"), [("", "error"), ("<mujoco/>", "warning")])
+def test_mujoco_takes_a_link_without_joint(settings: str, severity: str) -> None:
+    text = URDF.format("").replace("</robot>", f'<link name="ground"/>{settings}</robot>')
+    found = sdfcheck.lint(text, name="a.urdf", isolated=True).diagnostics
+    assert [each.severity.value for each in found if each.code == "URD004"] == [severity]

@@ -87,6 +87,8 @@ ETHANOL = b"ethanol\n  RDKit\n\n  9  8  0     0  0  0  0  0  0999 V2000\n> <PUBC
         ("a.sdf", b'(DELAYFILE (SDFVERSION "3.0"))', Kind.NOT_XML),
         ("a.urdf", b"robot: {links: []}", Kind.NOT_XML),
         ("a.sdf", b"<sdf><% if x %></sdf>", Kind.TEMPLATE),
+        ("a.urdf", b'<robot name="r"><origin $AT/><axis $AXIS /></robot>', Kind.TEMPLATE),
+        ("a.urdf", b'<robot name="r"><link name="$NAME"/><origin $AT/></robot>', Kind.URDF),
         ("a.sdf", b"{% set x = 1 %}<sdf/>", Kind.TEMPLATE),
         ("a.sdf", b"<sdf><!-- <% %> --></sdf>", Kind.SDF),
         ("a.sdf.jinja", b"<sdf>{{ x }}</sdf>", Kind.TEMPLATE),

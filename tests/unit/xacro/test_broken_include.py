@@ -26,6 +26,7 @@ BROKEN = {
     "no quotes": f"{HEAD}\n<link name=a/>\n</robot>",
     "not UTF-8": f"{HEAD}\n<!-- fa\xe7ade -->\n</robot>",
     "late declaration": f'\n<?xml version="1.0"?>\n{HEAD}</robot>',
+    "not UTF-8 far below": f"{HEAD}{'<!-- a -->' * 3_000}\n<!-- fa\xe7ade -->\n</robot>",
 }
 
 

@@ -50,6 +50,11 @@ folder = get_package_share_directory("bot")
 path = os.path.join(folder, "urdf", "bot.urdf.xacro")
 robot = xacro.process_file(path, mappings={"side": "right", "gripper": "true", "tool": choose()})
 """
+CHOSEN = PYTHON.replace(
+    'LaunchConfiguration("file")',
+    """PythonExpression(["'other.urdf.xacro' if '", LaunchConfiguration("tool"), "'.endswith('h') and not '",
+                         LaunchConfiguration("file"), "' == 'a' else '", LaunchConfiguration("file"), "'"])""",
+)
 PROCESS = """
 ExecuteProcess(
     cmd=["xacro", PathJoinSubstitution([FindPackageShare("bot"), "urdf", "bot.urdf.xacro"]), "side:=right",
@@ -81,6 +86,7 @@ def found(capsys: pytest.CaptureFixture[str]) -> list[str]:
         ("bot.launch.xml", ROS_2),
         ("bot_launch.xml", ROS_2),
         ("bot.launch.py", PYTHON),
+        ("chosen.launch.py", CHOSEN),
         ("view_launch.py", MAPPINGS),
         ("view.py", MAPPINGS),
         ("spawn.launch.py", PROCESS),
@@ -391,3 +397,24 @@ def test_a_remark_of_xacro_without_an_end_costs_nothing(package: Path) -> None:
     start = time.process_time()
     assert "URD009" in codes(package)
     assert time.process_time() - start < 5
+
+
+@pytest.mark.parametrize(
+    "choice",
+    [
+        "'a' if",
+        "[c for c in 'a'] if 1 else 2",
+        "open('ran', 'w')",
+        "'a'.lower(1) == 2",
+        "'a'.mro()",
+        "1 < 2",
+        "x",
+    ],
+)
+def test_an_expression_that_is_no_choice_of_texts_is_not_known(package: Path, choice: str) -> None:
+    (package / "launch" / "bot.launch.py").write_text(
+        CHOSEN.replace("'other.urdf.xacro' if '", f"{choice} or '")
+    )
+    messages = [each.message for each in sdfcheck.lint(package, isolated=True).diagnostics]
+    assert any(message.startswith("argument `side` has no value") for message in messages)
+    assert not (package / "ran").exists()
