@@ -7,7 +7,10 @@ SHARE = 0.15
 """Of the surface of one of the two: covers and meshes touch, and points are few."""
 MOST = 60
 """Links of a robot that are compared."""
-MASS = '<inertial><origin xyz="0 0 {}"/><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+MASS = (
+    '<inertial><origin xyz="0 0 {}"/><mass value="1"/>'
+    '<inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+)
 JOINT = (
     '<joint name="to_{1}" type="revolute"><parent link="{0}"/><child link="{1}"/><origin xyz="0 0 0.3"/>'
     '<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="9" velocity="1"/></joint>'

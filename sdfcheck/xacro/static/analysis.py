@@ -75,6 +75,8 @@ from sdfcheck.xacro.static.project import (
 
 BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
 """An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
+_BRACELESS = re.compile(r"\$([A-Za-z_]\w*)")
+"""An expression whose braces were forgotten, perhaps."""
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -141,11 +143,11 @@ def _divides_by_zero(node: ast.AST) -> bool:
 
 
 def _unevaluated(document: Document, visible: Definitions) -> Iterator[UnevaluatedExpression]:
-    """Braces around a name that is known here without their dollar, and expressions without end."""
+    """Names that are known here in braces without dollar, or without braces, and expressions without end."""
     for element, macro in reading(document).elements:
-        for attribute, text in texts(element, "{("):
+        for attribute, text in texts(element, "{($"):
             plain = replaced(text, lambda match: " " * len(match[0]))
-            for match in BRACES.finditer(plain):
+            for match in (*BRACES.finditer(plain), *_BRACELESS.finditer(plain)):
                 names = free_names(match[1])
                 is_known = names <= visible.properties or (
                     macro is not None
@@ -154,7 +156,8 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
                 if names and is_known and not _is_free(element):
                     span = place(element, attribute, match[0])
                     value = element.attribute(attribute) if attribute else None
-                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False, value=value)
+                    meant = f"${{{match[1]}}}"
+                    yield UnevaluatedExpression(span, meant, is_open=False, value=value)
             for rest in _endless(text, plain):
                 yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
 
