@@ -26,6 +26,25 @@ GUI = frozenset({"gz-gui", "gz-sim gui"})
 GOES_ON = re.compile(r"\bused\b|goes on|^warning|^no check|^silent|^empty|^$")
 """The words for a missing parameter where the plugin runs without it."""
 KINDS = frozenset({"joint", "link"})
+OWN: list[Facts] = [
+    {
+        "generation": "gazebo-classic",
+        "file": "libWindPlugin.so",
+        "names": [],
+        "name_free": True,
+        "parameters": [
+            {
+                "name": "force_approximation_scaling_factor",
+                "type": "double",
+                "required": True,
+                "if_missing": "error, not loaded",
+            },
+            {"name": "horizontal", "type": "container", "required": False},
+            {"name": "vertical", "type": "container", "required": False},
+        ],
+    }
+]
+"""Plugins that FACTS lacks; that of the wind as Gazebo 11 has it."""
 
 
 def table(facts: list[Facts]) -> str:
@@ -89,4 +108,4 @@ def stem(file: str) -> str:
 
 
 if __name__ == "__main__":
-    TABLE.write_text(table(json.loads(Path(sys.argv[1]).read_text("utf-8"))), "utf-8")
+    TABLE.write_text(table(json.loads(Path(sys.argv[1]).read_text("utf-8")) + OWN), "utf-8")
