@@ -86,7 +86,7 @@ class ContestedFrame(Rule):
 
 
 def rivals(plugin: Plugin) -> Iterator[tuple[Target, Plugin, str]]:
-    """What publishes a frame in it, another plugin that does so, and which frame that is."""
+    """The parameters by which it publishes a frame, the other plugin that does so, and the words for the frame."""
     siblings = plugin.siblings
     wheels = given(plugin, WHEELS)
     if wheels is not None and wheels.content in YES:

@@ -28,7 +28,7 @@ class GrippingMecanum(Rule):
     """The wheels of a mecanum drive hold the floor in all directions.
 
     The drive of Gazebo turns the wheels, and friction does the rest. Wheels without rollers, and without a direction in
-    which they slide, roll straight ahead: the robot does not move sideways, and slips where it should turn.
+    which they slide, roll straight ahead: the robot does not move sideways, and slides where it should turn.
     """
 
     code = "GAZ031"

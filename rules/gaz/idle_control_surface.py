@@ -26,7 +26,7 @@ def lift(joint: str) -> str:
 
 
 def servo(joint: str) -> str:
-    """What turns a joint."""
+    """A plugin that turns a joint."""
     return (
         f'<plugin filename="{CONTROLLER}" name="gz::sim::systems::JointPositionController"><joint_name>{joint}'
         "</joint_name><p_gain>1</p_gain></plugin>"
@@ -80,7 +80,7 @@ class IdleControlSurface(Rule):
 
 
 def idle(plugin: Plugin) -> Iterator[tuple[Target, str]]:
-    """What is wrong with the surface that a plugin turns, or whose lift it makes."""
+    """The names of joints whose surface has no effect or no drive, and the words for it."""
     lifts = [each for each in plugin.siblings if lifts_by(each)]
     named = {name for each in lifts for name in texts(each, ("control_joint_name", "link_name"))}
     joint = plugin.find("joint_name")

@@ -88,7 +88,7 @@ class UnmetNeed(Rule):
         ),
         Good(PHYSICS + BUOYANCY + BOAT.replace("{}", "plugin")),
         Good(PHYSICS + WIND.format("plugin", "<enable_wind>true</enable_wind>")),
-        Good(PHYSICS + WIND.format("plugin", "<static>true</static>"), why="what is to move comes later"),
+        Good(PHYSICS + WIND.format("plugin", "<static>true</static>"), why="the model comes later"),
         Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
         Good(GROUND.replace("{}", "heightmap"), why="nothing says that the world is for the new Gazebo"),
     )

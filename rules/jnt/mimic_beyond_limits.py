@@ -65,7 +65,7 @@ class MimicBeyondLimits(Rule):
             f"{mimic.joint.title} follows `{leader.text.strip()}` from {low:.4g} to {high:.4g}, and has limits of"
             f" {float(limit.lower):.4g} and {float(limit.upper):.4g}",
             labels={limit: "its limits"},
-            severity=Severity.INFO if shared > SHARE * (high - low) else None,
+            severity=Severity.INFO if shared > SHARE * min(high - low, limit.upper - limit.lower) else None,
         )
 
 

@@ -91,6 +91,9 @@ FOUR_WHEELS = """<gazebo>
 </plugin>
 </gazebo>
 """
+ROLLERS = """<gazebo reference="left"><collision><surface><friction><ode><mu>1</mu><mu2>0</mu2><fdir1>1 1 0</fdir1>
+</ode></friction></surface></collision></gazebo>
+"""
 MECANUM = """<front_left_joint>front_left_joint</front_left_joint>
 <front_right_joint>front_right_joint</front_right_joint>
 <back_left_joint>left_joint</back_left_joint>
@@ -618,7 +621,7 @@ PROBLEMS = {
     ),
     "front and rear of a mecanum drive are exchanged": Problem(
         "GEO009",
-        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4")))
+        robot(WAGON, ROLLERS, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4")))
         .replace("<front_left_joint>front_left_joint</front_left_joint>", "@@", 1)
         .replace("<back_left_joint>left_joint</back_left_joint>", "<!-- -->"),
         "<front_left_joint>left_joint</front_left_joint><back_left_joint>front_left_joint</back_left_joint>",
@@ -626,7 +629,7 @@ PROBLEMS = {
     ),
     "the axles are not as far apart as the plugin says": Problem(
         "GEO016",
-        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("@@"))),
+        robot(WAGON, ROLLERS, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("@@"))),
         "0.8",
         "0.4",
     ),
