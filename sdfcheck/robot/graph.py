@@ -2199,10 +2199,14 @@ class Footing(NamedTuple):
 
 
 class Stance(NamedTuple):
-    """How a robot stands: its tilt (rad), how far its drive is above the floor (m), and what is near the floor."""
+    """How a robot stands: its tilt (rad), how far its drive is above the floor (m), and what is near the floor.
+
+    The lean is how far its center of mass is from the line through the wheels of one pair, seen from above (m).
+    """
 
     tilt: float
     lift: float
+    lean: float
     footings: tuple[Footing, ...]
     """Of the links that no drive turns and that come as near to the floor as half the radius of a wheel."""
 
@@ -2246,7 +2250,14 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
         return None
     along, beside, height = plane
     lift = min(z - along * x - beside * y - height for (x, y, z), shape in solid if shape.link in wheels)
-    return Stance(math.atan(math.hypot(along, beside)), lift, tuple(found.values()))
+    return Stance(math.atan(math.hypot(along, beside)), lift, _lean(drive, center), tuple(found.values()))
+
+
+def _lean(drive: Drive, center: tuple[float, float]) -> float:
+    (x, y, _), (x1, y1, _) = drive.lefts[0].position, drive.rights[0].position
+    along, beside = x1 - x, y1 - y
+    length = math.hypot(along, beside)
+    return abs(along * (center[1] - y) - beside * (center[0] - x)) / length if length else 0.0
 
 
 def _center(model: Model) -> tuple[float, float] | None:

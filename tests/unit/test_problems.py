@@ -1426,6 +1426,28 @@ PROBLEMS = {
         "",
     ),
     # Threads of a later set
+    "a cart has no caster": Problem(
+        "GEO023",
+        robot(CART, DRIVE).replace('<mass value="1"', '<origin xyz="@@ 0 0"/><mass value="1"', 1),
+        "-0.1",
+        "0",
+    ),
+    "an elbow bends farther on the right": Problem(
+        "JNT034",
+        robot(
+            ARM,
+            *(
+                FINGER.replace("finger", f"{side}_finger")
+                .replace('"grip"', f'"{side}_grip"')
+                .replace('"0 1 0"', f'"0 {axis} 0"')
+                .replace("0.04", reach)
+                .replace("<limit", "\n<limit")
+                for side, axis, reach in (("left", 1, "0.05"), ("right", -1, "@@"))
+            ),
+        ),
+        "0.0715",
+        "0.05",
+    ),
     "one finger has no effort": Problem(
         "JNT016",
         robot(HAND).replace('effort="middle"', 'effort="@@"'),
