@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from itertools import takewhile
 
 from sdfcheck import Bad, Diagnostic, Element, Good, Plugin, Rule, Severity, Target
 
@@ -98,11 +99,10 @@ def rivals(plugin: Plugin) -> Iterator[tuple[Target, Plugin, str]]:
                 yield wheels.own_value, other, f"the frame of the child of `{shared}` is published"
                 break
     topic = plugin.find("tf_topic")
-    for other in (
-        siblings[: siblings.index(plugin)] if topic is not None and topic.content and plugin.known else ()
-    ):
+    for other in takewhile(lambda each: each.element is not plugin.element, siblings):
         its = other.find("tf_topic")
-        if topic is not None and its is not None and its.content == topic.content and is_alike(plugin, other):
+        is_one = topic is not None and its is not None and "" != its.content == topic.content
+        if topic is not None and is_one and is_alike(plugin, other):
             yield topic.own_value, other, f"the odometry is published on `{topic.content}`"
             break
 

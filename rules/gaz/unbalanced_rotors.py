@@ -7,6 +7,8 @@ UPRIGHT = 0.9
 """Of the length of an axis: rotors that lift."""
 FEWEST, QUAD, MOST = 4, 4, 16
 DIRECTIONS = ("ccw", "cw")
+MOTOR, WET = "motor_model", ("buoyancy", "hydrodynamics")
+"""In the names of files: rotors, of which those under water need not be balanced."""
 CORNERS = ((1, -1), (-1, 1), (1, 1), (-1, -1))
 
 
@@ -74,8 +76,11 @@ class UnbalancedRotors(Rule):
 
 def culprit(plugin: Plugin) -> tuple[Value, Value, str] | None:
     """The direction that is wrong, another one, and the words for it; of the first rotor of a model alone."""
-    beside = [each for each in plugin.siblings if each.find("turningDirection") is not None]
-    if not beside or beside[0] is not plugin:
+    files = [each.filename.lower().replace("-", "_") for each in plugin.siblings]
+    if any(name in file for file in files for name in WET):
+        return None
+    beside = [each for each, file in zip(plugin.siblings, files, strict=True) if MOTOR in file]
+    if not beside or beside[0].element is not plugin.element:
         return None
     found = list(lifting(beside))
     if len(found) % 2 or not FEWEST <= len(found) <= MOST:
