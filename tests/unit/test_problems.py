@@ -1426,6 +1426,28 @@ PROBLEMS = {
         "",
     ),
     # Threads of a later set
+    "the hinge of a door is twice as far away": Problem(
+        "JNT035",
+        model(
+            f'<link name="frame">{SDF_BODY}</link><link name="door"><pose>0.3 0 0 0 0 0</pose>{SDF_BODY}</link>'
+            '<joint name="hinge" type="revolute">\n<pose>@@ 0 0 0 0 0</pose>\n<parent>frame</parent>'
+            "<child>door</child><axis><xyz>0 0 1</xyz></axis></joint>"
+        ),
+        "0.3",
+        "-0.15",
+        suffix=".sdf",
+    ),
+    "the lidar of a rover hangs on nothing": Problem(
+        "FRM013",
+        model(
+            f'<link name="body">{SDF_BODY}</link>\n<model name="lidar"><pose>0 0 0.1 0 0 0</pose><link name="l">'
+            f'{SDF_BODY}<sensor name="s" type="imu"><topic>imu</topic></sensor></link></model>\n@@'
+        ),
+        "",
+        '<joint name="j" type="fixed"><parent>body</parent><child>lidar::l</child></joint>',
+        -1,
+        suffix=".sdf",
+    ),
     "a cart has no caster": Problem(
         "GEO023",
         robot(CART, DRIVE).replace('<mass value="1"', '<origin xyz="@@ 0 0"/><mass value="1"', 1),
