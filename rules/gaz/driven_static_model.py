@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Model, Plugin, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Model, Plugin, Rule, Severity, Value
 
 WHEEL = (
     '<link name="wheel"/><joint name="axle" type="revolute"><parent>base</parent><child>wheel</child>'
@@ -10,6 +10,12 @@ IN_SDF = (
     f'<sdf version="1.9"><model name="m">{{}}<link name="base"/>{WHEEL}'
     '<plugin filename="gz-sim-joint-position-controller-system" name="gz::sim::systems::JointPositionController">'
     "<joint_name>axle</joint_name></plugin></model></sdf>"
+)
+IN_URDF = (
+    '<robot name="r"><link name="base"/><link name="arm"/><joint name="axle" type="continuous"><parent link="base"/>'
+    '<child link="arm"/><axis xyz="0 1 0"/></joint><gazebo>{}<plugin'
+    ' filename="gz-sim-joint-position-controller-system" name="gz::sim::systems::JointPositionController">'
+    "<joint_name>axle</joint_name></plugin></gazebo></robot>"
 )
 MOVERS = frozenset(
     f"gz-sim-{name}-system"
@@ -45,6 +51,11 @@ class DrivenStaticModel(Rule):
             says="model `m` is static, and plugin `gz::sim::systems::JointPositionController` is to move it",
             also=("DRK008",),
         ),
+        Bad(
+            "<static>«true»</static>",
+            scaffold=IN_URDF,
+            says="robot `r` is static, and plugin `gz::sim::systems::JointPositionController` is to move it",
+        ),
     )
     good = (
         Good(""),
@@ -53,13 +64,19 @@ class DrivenStaticModel(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        model, facts = plugin.holder, plugin.known
-        return isinstance(model, Model) and facts is not None and facts.file in MOVERS and model.is_static
+        model, facts = plugin.within(Model), plugin.known
+        return model is not None and facts is not None and facts.file in MOVERS and model.is_static
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        model = plugin.holder
-        assert isinstance(model, Model)
+        model = plugin.within(Model)
+        assert model is not None
         message = f"{model.title} is static, and {plugin.title} is to move it"
-        value = model.value("static")
+        value = model.value("static") if not model.is_urdf else static_of(model)
         where = plugin if value is None else value
         yield self.diagnostic(where, message, labels={plugin: "moves nothing"} if value is not None else {})
+
+
+def static_of(robot: Model) -> Value | None:
+    """The setting of a robot of URDF."""
+    blocks = robot.blocks_by_reference.get("", ())
+    return next((static.own_value for block in blocks for static in block.children("static")), None)

@@ -1,12 +1,10 @@
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Sensor, Severity, Target, World
 
-ADVICE: Mapping[type, str] = {
-    Sensor: "add `<spherical_coordinates>` to the world",
-    Plugin: "add `gz-sim-buoyancy-system` to the plugins of the world",
-}
-"""The help by what has the need; the rule's own is that of heightmaps."""
+PLACE = "add `<spherical_coordinates>` to the world"
+FLUID = "add `gz-sim-buoyancy-system` to the plugins of the world"
+BLOWN = "add `<enable_wind>true</enable_wind>` to what the wind is to move"
 LOST = {"navsat": "reports nothing", "gps": "reports nothing"}
 """How sensors go on in a world without a place on the earth."""
 GZ_SIM = "gz-sim"
@@ -22,6 +20,10 @@ GROUND = (
     '<model name="g"><static>true</static><link name="l"><collision name="c"><geometry><{}><uri>h.png</uri></heightmap>'
     "</geometry></collision></link></model>"
 )
+WIND = (
+    '<{} filename="gz-sim-wind-effects-system" name="gz::sim::systems::WindEffects"/>'
+    '<model name="balloon">{}<link name="l"><inertial><mass>1</mass></inertial></link></model>'
+)
 DETECTOR = '<physics type="ode"><dart><collision_detector>bullet</collision_detector></dart></physics>'
 
 
@@ -29,7 +31,8 @@ class UnmetNeed(Rule):
     """Something in a world of Gazebo needs what the world does not have.
 
     A navsat sensor needs `spherical_coordinates`, without which it has no position to report; for a magnetometer Gazebo
-    works out the field at that place, and warns at each step where it has none. Hydrodynamics needs the
+    works out the field at that place, and warns at each step where it has none. The WindEffects system needs a model or
+    link with `enable_wind`, without which it moves nothing. Hydrodynamics needs the
     Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the collision detector `bullet`:
     that of the engine by default does not know heightmaps, and everything falls through.
     """
@@ -41,6 +44,7 @@ class UnmetNeed(Rule):
 
     - A navsat sensor or magnetometer: `<spherical_coordinates>` with `surface_model`, `latitude_deg`,
       `longitude_deg`, `elevation` and `heading_deg`.
+    - Wind: `<enable_wind>true</enable_wind>` in the models or links that it is to move.
     - Hydrodynamics: a plugin `gz-sim-buoyancy-system` with
       `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
     - A heightmap: `<physics><dart><collision_detector>bullet</collision_detector></dart></physics>`.
@@ -62,6 +66,10 @@ class UnmetNeed(Rule):
             says="the vessel sinks: world `w` has no Buoyancy system",
         ),
         Bad(
+            PHYSICS + WIND.format("«plugin»", ""),
+            says="moves nothing: no model or link of world `w` has `enable_wind`",
+        ),
+        Bad(
             PHYSICS + GROUND.replace("{}", "«heightmap»"),
             says="collides with nothing: world `w` does not choose the collision detector `bullet`",
         ),
@@ -79,6 +87,8 @@ class UnmetNeed(Rule):
             why="the world has its own field",
         ),
         Good(PHYSICS + BUOYANCY + BOAT.replace("{}", "plugin")),
+        Good(PHYSICS + WIND.format("plugin", "<enable_wind>true</enable_wind>")),
+        Good(PHYSICS + WIND.format("plugin", "<static>true</static>"), why="the model comes later"),
         Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
         Good(GROUND.replace("{}", "heightmap"), why="nothing says that the world is for the new Gazebo"),
     )
@@ -88,8 +98,8 @@ class UnmetNeed(Rule):
         return is_of_gz_sim(world) and next(needs(world), None) is not None
 
     def check(self, world: World) -> Iterator[Diagnostic]:
-        for target, words in needs(world):
-            yield self.diagnostic(target, words, help=ADVICE.get(type(target)))
+        for target, words, advice in needs(world):
+            yield self.diagnostic(target, words, help=advice)
 
 
 def is_of_gz_sim(world: World) -> bool:
@@ -97,8 +107,8 @@ def is_of_gz_sim(world: World) -> bool:
     return any(plugin.known is not None and plugin.known.generation == GZ_SIM for plugin in world.plugins)
 
 
-def needs(world: World) -> Iterator[tuple[Target, str]]:
-    """The first thing of each kind that needs what the world lacks, and the words for it."""
+def needs(world: World) -> Iterator[tuple[Target, str, str | None]]:
+    """The first thing of each kind that needs what the world lacks, the words for it, and a help of its own."""
     root = world.root
     if not world.has("spherical_coordinates"):
         kinds = (
@@ -107,7 +117,7 @@ def needs(world: World) -> Iterator[tuple[Target, str]]:
         for sensor in root.each(Sensor):
             if sensor.type in kinds and sensor.within(World) is world:
                 words = f"{world.title} has no `spherical_coordinates`"
-                yield sensor, f"{sensor.title} {kinds[sensor.type]}: {words}"
+                yield sensor, f"{sensor.title} {kinds[sensor.type]}: {words}", PLACE
                 break
     plugins = [plugin for plugin in root.each(Plugin) if plugin.known is not None]
     names = {plugin.known.file for plugin in plugins if plugin.known is not None}
@@ -119,8 +129,9 @@ def needs(world: World) -> Iterator[tuple[Target, str]]:
         for plugin in plugins:
             is_fluid = plugin.known is not None and plugin.known.file == "gz-sim-hydrodynamics-system"
             if is_fluid and plugin.within(World) is world:
-                yield plugin, f"the vessel sinks: {world.title} has no Buoyancy system"
+                yield plugin, f"the vessel sinks: {world.title} has no Buoyancy system", FLUID
                 break
+    yield from windless(world, plugins)
     chosen = {element.content for element in root.elements.get("collision_detector", ())}
     if not chosen and not any(
         "physics" in plugin.filename and "engine" in text(plugin) for plugin in world.plugins
@@ -131,8 +142,24 @@ def needs(world: World) -> Iterator[tuple[Target, str]]:
                 words = (
                     f"collides with nothing: {world.title} does not choose the collision detector `bullet`"
                 )
-                yield heightmap, f"the heightmap {words}"
+                yield heightmap, f"the heightmap {words}", None
                 break
+
+
+def windless(world: World, plugins: list[Plugin]) -> Iterator[tuple[Target, str, str]]:
+    """The plugin for the wind, where no model may feel it; those with plugins may have their own way to."""
+    models = [model for model in world.models if not model.may_be_static]
+    if not models or not world.is_complete or any(model.plugins for model in models):
+        return
+    if any(part.has("enable_wind") for model in models for part in (model, *model.links)):
+        return
+    for plugin in plugins:
+        if (
+            plugin.known is not None
+            and plugin.known.file == "gz-sim-wind-effects-system"
+            and plugin.holder is world
+        ):
+            yield plugin, f"moves nothing: no model or link of {world.title} has `enable_wind`", BLOWN
 
 
 def text(plugin: Plugin) -> str:

@@ -6,8 +6,8 @@ from sdfcheck_rules.geo.scaffolds import rover
 
 MOST = math.radians(1.5)
 """Of 63 drives in public robots whose shapes near the floor are plain 51 are level within that."""
-LIFTED = 0.02
-"""Of the radius of a wheel."""
+LIFTED, LEANING = 0.02, 0.25
+"""Of the radius of a wheel; a robot that balances leans by less."""
 MASS = (
     '<inertial>{}<mass value="{}"/><inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/></inertial>'
 )
@@ -36,8 +36,8 @@ class TiltedStand(Rule):
 
     A caster that is too high or too low tilts the robot: lidars scan the floor, and odometry is off. One without a
     collision sinks in until the body touches the floor. Two that are too low lift the drive, whose wheels spin in the
-    air. Robots are looked at whose collisions near the floor are plain shapes, with all joints at zero; one that has
-    nothing near the floor but its wheels balances on them, and is left out.
+    air. A robot with two wheels and no caster tips over, unless its center of mass is above the axle and it balances.
+    Robots are looked at whose collisions near the floor are plain shapes, with all joints at zero.
     """
 
     code = "GEO023"
@@ -60,20 +60,33 @@ class TiltedStand(Rule):
             standing(BALL.format("visual", "0.05")).replace('<link name="ball"', '<«link» name="ball"'),
             says="link `ball` has no collision: the robot stands tilted by",
         ),
+        Bad(
+            standing("").replace('<link name="base">', '<«link» name="base">'),
+            says="the robot has two wheels alone, and its center of mass is 86",
+        ),
     )
     good = (
         Good(standing(BALL.format("collision", "0.05"))),
         Good(standing(BALL.format("collision", "0.045")), why="5 mm are 1°"),
-        Good(standing(""), why="it balances"),
+        Good(standing("").replace(BACK, "").replace(BODY, BODY.replace(BACK, "")), why="it balances"),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return culprit(plugin) is not None
+        return culprit(plugin) is not None or tipping(plugin) is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        found = culprit(plugin)
-        assert found is not None
+        found, tips = culprit(plugin), tipping(plugin)
+        if found is None:
+            if tips is not None:
+                body, lean = tips
+                message = (
+                    f"the robot has two wheels alone, and its center of mass is {lean * 1000:.3g} mm from"
+                )
+                yield self.diagnostic(
+                    body, f"{message} their axle: it tips over", labels={plugin: "this drive"}
+                )
+            return
         link, shape, height, is_solid, how = found
         labels = {plugin: "this drive"}
         if not is_solid:
@@ -112,6 +125,18 @@ def culprit(plugin: Plugin) -> tuple[Link, Shape, float, bool, str] | None:
     if chosen is None or (supports and abs(chosen.height) <= least):
         return None
     return chosen.link, chosen.shape, chosen.height, chosen.is_solid, how
+
+
+def tipping(plugin: Plugin) -> tuple[Link, float] | None:
+    """The body of a robot that nothing carries but two wheels, and how far beside their axle it is heavy (m)."""
+    drive = plugin.drive
+    stance = drive.stance if drive is not None and len(drive.wheels) == 2 else None
+    body = drive.left.joint.parent_link if drive is not None else None
+    if drive is None or stance is None or body is None or drive.steering or stance.tilt < MOST:
+        return None
+    if any(each.link is not body or each.shape.geometry.shape == "sphere" for each in stance.footings):
+        return None
+    return (body, stance.lean) if stance.lean > LEANING * drive.left.radius else None
 
 
 def is_hollow_caster(link: Link, shape: Shape) -> bool:

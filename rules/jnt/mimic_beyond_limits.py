@@ -17,7 +17,8 @@ class MimicBeyondLimits(Rule):
     """A joint cannot follow its leader through its whole range.
 
     Position and limits of both are written, and do not fit: the follower stops while the leader goes on. A
-    multiplier of -1 needs limits with the opposite signs.
+    multiplier of -1 needs limits with the opposite signs: where the follower has none of the positions that its leader
+    sends it to, but for one end, that is a warning. Where it has a part of them, the rest is for information.
     """
 
     code = "JNT022"
@@ -29,7 +30,6 @@ class MimicBeyondLimits(Rule):
     follower has the narrower range, narrow the limits of the leader instead. With a negative multiplier
     lower and upper change places.
     """
-    preview = True
     looks_at = (Mimic,)
     selects = ("urdf:joint/mimic",)
 
@@ -37,6 +37,10 @@ class MimicBeyondLimits(Rule):
         Bad(
             ROBOT.format("0", "0.8", "-1").replace('joint="j"', 'joint="«j»"'),
             says="joint `k` follows `j` from -0.8 to 0, and has limits of 0 and 0.8",
+        ),
+        Bad(
+            ROBOT.format("0", "0.5", "1").replace('joint="j"', 'joint="«j»"'),
+            says="joint `k` follows `j` from 0 to 0.8, and has limits of 0 and 0.5",
         ),
     )
     good = (
@@ -55,11 +59,13 @@ class MimicBeyondLimits(Rule):
             return
         low, high = found
         limit: Limit = mimic.axis.limit
+        shared = min(high, limit.upper) - max(low, limit.lower)
         yield self.diagnostic(
             leader,
             f"{mimic.joint.title} follows `{leader.text.strip()}` from {low:.4g} to {high:.4g}, and has limits of"
             f" {float(limit.lower):.4g} and {float(limit.upper):.4g}",
             labels={limit: "its limits"},
+            severity=Severity.INFO if shared > SHARE * min(high - low, limit.upper - limit.lower) else None,
         )
 
 

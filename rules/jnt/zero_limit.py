@@ -1,14 +1,32 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Number, Rule, Severity
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Joint, Limit, Number, Rule, Severity
+
+LEAST = 2
+"""So many joints whose names differ in a word have other limits."""
+LIMITED = frozenset({"revolute", "prismatic"})
+FINGER = (
+    '<link name="{0}"/><joint name="{0}_flex" type="revolute"><parent link="palm"/><child link="{0}"/>'
+    '<axis xyz="0 1 0"/><limit lower="0" upper="1" effort="{1}" velocity="1"/></joint>'
+)
+
+
+def hand(*efforts: str) -> str:
+    """A hand with a finger for each effort."""
+    fingers = zip(("index", "ring", "little"), efforts, strict=True)
+    return (
+        f'<robot name="r"><link name="palm"/>{"".join(FINGER.format(*finger) for finger in fingers)}</robot>'
+    )
 
 
 class ZeroLimit(Rule):
-    """The effort or the velocity of a joint is limited to zero, so that nothing can drive it.
+    """The effort and the velocity of a joint are limited to zero, so that nothing can drive it.
 
-    Exporters write 0 where nobody has entered a number. Controllers and planners take it as the
-    limit that it is; a joint that only swings freely is not affected. Where something drives the joint, powerless-joint
-    says so.
+    Exporters write 0 where nobody has entered a number. Controllers, planners and programs that read the limits, as
+    those for PyBullet and Isaac do, take it as the limit that it is; a joint that only swings freely is not affected.
+    Where its counterparts have other limits (the same joint of the other side, or of the other fingers), 0 is a
+    mistake and a warning, also if it is one of the two alone. Where something drives the joint, powerless-joint says
+    so.
     """
 
     code = "JNT016"
@@ -21,37 +39,54 @@ class ZeroLimit(Rule):
     rad/s. Both are in the data sheet of the servo. Without one, take a generous guess such as 100 and 10,
     which lets controllers work.
     """
-    preview = True
     looks_at = (Limit,)
     scaffold = IN_JOINT
 
     bad = (
         Bad(
-            "<axis><xyz>0 0 1</xyz><limit><effort>«0»</effort></limit></axis>",
-            says="effort of joint `j` is limited to 0",
+            "<axis><xyz>0 0 1</xyz><limit><effort>«0»</effort><velocity>0</velocity></limit></axis>",
+            says="effort and velocity of joint `j` are limited to 0",
         ),
         Bad(
             '<limit lower="-1" upper="1" effort="«0»" velocity="0"/>',
             scaffold=IN_URDF_JOINT,
             says="effort and velocity of joint `j` are limited to 0",
         ),
+        Bad(
+            hand("1", "«0»", "1"),
+            scaffold="{}",
+            says="effort of joint `ring_flex` is limited to 0, and that of joint `index_flex` to 1",
+        ),
     )
     good = (
+        Good(hand("0", "0", "1"), scaffold="{}", why="passive, as others are"),
         Good("<axis><xyz>0 0 1</xyz><limit><effort>-1</effort></limit></axis>", why="no limit"),
+        Good("<axis><xyz>0 0 1</xyz><limit><effort>0</effort></limit></axis>", why="passive, in Drake"),
         Good('<limit lower="0" upper="0" effort="0" velocity="0"/>', why="locked", scaffold=IN_URDF_JOINT),
     )
 
     @staticmethod
     def applies(limit: Limit) -> bool:
-        if not zeros(limit) or not limit.joint.moves or is_locked(limit):
+        found = zeros(limit)
+        if not found or not limit.joint.moves or is_locked(limit):
             return False
-        return limit.axis.limit is limit and limit.joint.driver is None
+        if limit.axis.limit is not limit or limit.joint.driver is not None:
+            return False
+        return len(found) > 1 or unlike(limit, found) is not None
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         found = zeros(limit)
+        other = unlike(limit, found)
         names, (first, *_) = " and ".join(found), found.values()
-        verb = "are" if len(found) > 1 else "is"
-        yield self.diagnostic(first, f"{names} of {limit.joint.title} {verb} limited to 0")
+        message = f"{names} of {limit.joint.title} {'are' if len(found) > 1 else 'is'} limited to 0"
+        if other is None:
+            yield self.diagnostic(first, message)
+            return
+        its = [getattr(other, name) for name in found]
+        there = " and ".join(number.text.strip() for number in its)
+        message += f", and {'those' if len(found) > 1 else 'that'} of {other.joint.title} to {there}"
+        labels = {its[0]: "its counterpart"}
+        yield self.diagnostic(first, message, labels=labels, severity=Severity.WARNING)
 
 
 def is_locked(limit: Limit) -> bool:
@@ -65,3 +100,29 @@ def zeros(limit: Limit) -> dict[str, Number]:
         return {}
     limits = {"effort": limit.effort, "velocity": limit.velocity}
     return {name: number for name, number in limits.items() if number.is_given and number.number == 0}
+
+
+def unlike(limit: Limit, zero: Mapping[str, Number]) -> Limit | None:
+    """Limits of a counterpart in URDF that are not 0, where those of all its counterparts are not."""
+    joint = limit.joint
+    if not joint.is_urdf:  # Drake's actuators: the second finger of a gripper is passive.
+        return None
+    groups = [[joint.mirror]] if joint.mirror is not None else alike(joint)
+    for group in groups:
+        others = [other.axis.limit for other in group if other.type == joint.type]
+        if others and all(getattr(other, name) > 0 for other in others for name in zero):
+            return others[0]
+    return None
+
+
+def alike(joint: Joint) -> list[list[Joint]]:
+    """The joints of its model whose names differ in one of several words, by that word, where there are enough."""
+    words = joint.name.split("_")
+    found: dict[int, list[Joint]] = {}
+    joints = joint.model.joints if joint.model is not None and joint.type in LIMITED else ()
+    for other in joints:
+        theirs = other.name.split("_")
+        differing = [at for at, (word, its) in enumerate(zip(words, theirs, strict=False)) if word != its]
+        if len(differing) == 1 and len(words) == len(theirs) > 1:
+            found.setdefault(differing[0], []).append(other)
+    return [group for group in found.values() if len(group) >= LEAST]

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Number, Rule, Severity
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Joint, Mimic, Number, Rule, Severity
 
 ENDS = '<link name="a"/><link name="b"/><joint name="j" type="{}"><parent>a</parent><child>b</child>'
 AXIS = "<axis><xyz>0 0 1</xyz></axis>"
@@ -9,13 +9,18 @@ GEARBOX = (
     f"{ENDS.format('gearbox')}{AXIS}<axis2><xyz>0 0 1</xyz></axis2><gearbox_ratio>{{}}</gearbox_ratio>"
     "<gearbox_reference_body>base</gearbox_reference_body></joint>"
 )
+FOLLOWER = (
+    '<robot name="r"><link name="a"/><link name="b"/><link name="c"/><joint name="j" type="continuous">'
+    '<parent link="a"/><child link="b"/><axis xyz="0 1 0"/></joint><joint name="k" type="continuous">'
+    '<parent link="a"/><child link="c"/><axis xyz="0 1 0"/><mimic joint="j" multiplier="{}"/></joint></robot>'
+)
 
 
 class ZeroRatio(Rule):
-    """The ratio of a gearbox or the pitch of a screw is zero.
+    """The ratio of a gearbox, the pitch of a screw or the multiplier of a mimic joint is zero.
 
-    A gearbox of ratio 0 turns one side and holds the other, a screw of pitch 0 turns in its place: neither
-    does what its type is for. The default of both is 1.
+    A gearbox of ratio 0 turns one side and holds the other, a screw of pitch 0 turns in its place, and a joint that
+    mimics another with a multiplier of 0 stays where it is: none does what it is for. The default of all is 1.
     """
 
     code = "JNT019"
@@ -27,8 +32,7 @@ class ZeroRatio(Rule):
     meters per turn (SDFormat 1.10 on); the old `thread_pitch` is in radians per meter with the opposite
     sign. For a joint without coupling choose another type.
     """
-    preview = True
-    looks_at = (Joint,)
+    looks_at = (Joint, Mimic)
     scaffold = IN_MODEL
 
     bad = (
@@ -36,6 +40,11 @@ class ZeroRatio(Rule):
             SCREW.format("«0»"), says="`screw_thread_pitch` of joint `j` is 0, so that turning moves nothing"
         ),
         Bad(GEARBOX.format("«0.0»"), says="`gearbox_ratio` of joint `j` is 0", also=("DRK008",)),
+        Bad(
+            FOLLOWER.format("«0»"),
+            scaffold="{}",
+            says="`multiplier` of joint `k` is 0, so that it does not follow `j`",
+        ),
     )
     good = (
         Good(SCREW.format("-0.01"), why="a left-handed screw"),
@@ -43,13 +52,21 @@ class ZeroRatio(Rule):
     )
 
     @staticmethod
-    def applies(joint: Joint) -> bool:
-        return joint.type in {"gearbox", "screw"} and bool(zeros(joint))
+    def applies(part: Joint | Mimic) -> bool:
+        if isinstance(part, Mimic):
+            return part.multiplier.is_given and part.multiplier.number == 0
+        return part.type in {"gearbox", "screw"} and bool(zeros(part))
 
-    def check(self, joint: Joint) -> Iterator[Diagnostic]:
-        affects = {Consumer.DRAKE: REFUSES} if joint.type == "gearbox" else {}
-        for name, number in zeros(joint).items():
-            message = f"`{name}` of {joint.title} is 0, so that turning moves nothing"
+    def check(self, part: Joint | Mimic) -> Iterator[Diagnostic]:
+        if isinstance(part, Mimic):
+            message = (
+                f"`multiplier` of {part.joint.title} is 0, so that it does not follow `{part.leader_name}`"
+            )
+            yield self.diagnostic(part.multiplier, message)
+            return
+        affects = {Consumer.DRAKE: REFUSES} if part.type == "gearbox" else {}
+        for name, number in zeros(part).items():
+            message = f"`{name}` of {part.title} is 0, so that turning moves nothing"
             yield self.diagnostic(number, message, affects=affects)
 
 

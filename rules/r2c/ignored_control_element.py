@@ -12,9 +12,9 @@ class IgnoredControlElement(Rule):
     """An element in a joint, interface or other part of `ros2_control` that nothing reads.
 
     The parser takes the elements that it knows and ignores all others in silence, so that a misspelled
-    interface is not there and a misspelled reduction stays at 1. So it is with a parameter whose value is an
-    attribute, and with one of an interface that is nearly `min`, `max` or `initial_value`. Of two plugins in one
-    `hardware` it takes the first.
+    interface is not there and a misspelled reduction stays at 1. So it is with attributes that it does not know, such
+    as a parameter whose value is an attribute, and with a parameter of an interface that is nearly `min`, `max` or
+    `initial_value`. Of two plugins in one `hardware` it takes the first.
     """
 
     code = "R2C006"
@@ -54,6 +54,10 @@ class IgnoredControlElement(Rule):
             says="ros2_control takes the text of `param`, and not its `value`",
         ),
         Bad(
+            '<state_interface name="position" «initial_value»="1"/>',
+            says="ros2_control ignores the attribute `initial_value` of `state_interface`",
+        ),
+        Bad(
             '<state_interface name="position"><param name="«initial_position»">1</param></state_interface>',
             fixed='<state_interface name="position"><param name="initial_value">1</param></state_interface>',
             unsafe=True,
@@ -74,9 +78,9 @@ class IgnoredControlElement(Rule):
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
-        return bool(second_plugins(block) or any(unread_parameters(block))) or any(
-            holder is not block.element and ":" not in child.name for child, holder, _ in block.foreign
-        )
+        return bool(
+            second_plugins(block) or any(unread_parameters(block)) or any(unread_attributes(block))
+        ) or any(holder is not block.element and ":" not in child.name for child, holder, _ in block.foreign)
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         for element, holder, place in block.foreign:
@@ -94,6 +98,14 @@ class IgnoredControlElement(Rule):
             first = block.plugin_value
             name = "" if first is None else first.text.strip()
             yield self.diagnostic(plugin, f"the hardware is `{name}`; this second plugin is ignored")
+        for value in unread_attributes(block):
+            message = f"ros2_control ignores the attribute `{value.attribute}` of `{value.element.name}`"
+            advice = (
+                f'write it as `<param name="{value.attribute}">` in it'
+                if value.attribute in PARAMETERS
+                else None
+            )
+            yield self.diagnostic(value.name_span, message, help=advice)
         for value in unread_parameters(block):
             interface = value.element.parent
             if value.attribute == "value" or interface is None:
@@ -115,6 +127,16 @@ def second_plugins(block: Ros2Control) -> list[Element]:
 def meant(parameter: str) -> str | None:
     """The parameter of an interface that was probably meant."""
     return "initial_value" if parameter in INITIAL else suggest(parameter, PARAMETERS)
+
+
+def unread_attributes(block: Ros2Control) -> Iterator[Value]:
+    """The attributes that its parser does not look for; those of parameters are looked at elsewhere."""
+    for element, definition in block.known:
+        names = () if element.name == "param" else element.attributes
+        for name in names:
+            value = element.attribute(name)
+            if name not in definition.attributes and ":" not in name and value is not None:
+                yield value
 
 
 def unread_parameters(block: Ros2Control) -> Iterator[Value]:

@@ -13,8 +13,8 @@ ACTOR = (
 class UnknownAnimation(Rule):
     """A trajectory of an actor is of a type that no animation of the actor has.
 
-    The type of a trajectory is the name of the animation to play on the way. Without one
-    of that name the actor slides along in its resting pose.
+    The type of a trajectory is the name of the animation to play on the way. Without one of that name the actor
+    slides along in its resting pose in Gazebo Classic, and plays the movement of its skin in the new Gazebo.
     """
 
     code = "SCH027"
@@ -25,7 +25,6 @@ class UnknownAnimation(Rule):
     It is the `name` of one of its `<animation>` elements; if there is none, add one with the file of the
     movement.
     """
-    preview = True
     looks_at = (Actor,)
     scaffold = IN_WORLD
 

@@ -8,7 +8,8 @@ class UnevaluatedExpression(Rule):
     """Something looks like an expression of xacro but is not one.
 
     Braces without a dollar sign stay as they are, so that a link is called `{side}_wheel`
-    in the robot. For an expression without its end xacro 2 stops; older versions drop all that follows.
+    in the robot, and so does a name after a dollar sign without braces. For an expression without its end xacro 2
+    stops; older versions drop all that follows.
     """
 
     code = "XAC010"
@@ -36,6 +37,13 @@ class UnevaluatedExpression(Rule):
             fixed='<xacro:property name="w" value="1"/><link name="a"><inertial><mass>${w}</mass></inertial></link>',
             unsafe=True,
             file=FILE,
+        ),
+        Bad(
+            '<xacro:property name="w" value="1"/><link name="«$w»"/>',
+            fixed='<xacro:property name="w" value="1"/><link name="${w}"/>',
+            unsafe=True,
+            file=FILE,
+            says="`$w` is not evaluated; did you mean `${w}`?",
         ),
         Bad(
             '<xacro:property name="w" value="1"/><link name="a${w}"/><link name="«${w_b»"/>',

@@ -2234,10 +2234,14 @@ class Footing(NamedTuple):
 
 
 class Stance(NamedTuple):
-    """How a robot stands: its tilt (rad), how far its drive is above the floor (m), and what is near the floor."""
+    """How a robot stands: its tilt (rad), how far its drive is above the floor (m), and what is near the floor.
+
+    The lean is how far its center of mass is from the line through the wheels of one pair, seen from above (m).
+    """
 
     tilt: float
     lift: float
+    lean: float
     footings: tuple[Footing, ...]
     """Of the links that no drive turns and that come as near to the floor as half the radius of a wheel."""
 
@@ -2281,7 +2285,14 @@ def _stance(model: Model, drive: Drive) -> Stance | None:
         return None
     along, beside, height = plane
     lift = min(z - along * x - beside * y - height for (x, y, z), shape in solid if shape.link in wheels)
-    return Stance(math.atan(math.hypot(along, beside)), lift, tuple(found.values()))
+    return Stance(math.atan(math.hypot(along, beside)), lift, _lean(drive, center), tuple(found.values()))
+
+
+def _lean(drive: Drive, center: tuple[float, float]) -> float:
+    (x, y, _), (x1, y1, _) = drive.lefts[0].position, drive.rights[0].position
+    along, beside = x1 - x, y1 - y
+    length = math.hypot(along, beside)
+    return abs(along * (center[1] - y) - beside * (center[0] - x)) / length if length else 0.0
 
 
 def _center(model: Model) -> tuple[float, float] | None:
@@ -2305,17 +2316,29 @@ def _is_upright(wheel: Wheel, lowest: Mapping[Link | None, float]) -> bool:
     return abs(below - wheel.radius) < _ROUND * wheel.radius
 
 
-def _footings(model: Model, kind: str) -> list[tuple[Triple, Shape]]:
-    """The points on which the shapes of a model may rest, in its frame; raises DescriptionError if some are unknown."""
+def _lowest(model: Model) -> tuple[Shape, float] | None:
+    pose = model.pose_element
+    if model.models or model.placement_frame or reference_of(pose):
+        return None
+    points = _footings(model, "collision", pose_in(pose))
+    return min(((shape, point[2]) for point, shape in points), key=lambda each: each[1], default=None)
+
+
+def _footings(model: Model, kind: str, placed: Origin | None = None) -> list[tuple[Triple, Shape]]:
+    """The points on which the shapes of a model may rest, in its frame; raises DescriptionError if some are unknown.
+
+    Of a model that is placed, in the frame in which it is, the points that are known.
+    """
     found: list[tuple[Triple, Shape]] = []
     for link in model.links:
         frame = _frame_at_rest(link)
+        frame = frame if placed is None or frame is None else placed.followed_by(frame)
         for shape in link.collisions if kind == "collision" else link.visuals:
             pose = None if frame is None else frame.followed_by(_placement_in(shape, link))
             points = () if pose is None else shape.geometry.footing(pose.seen_along((0.0, 0.0, -1.0)))
             if pose is not None and points:
                 found += ((pose.applied_to(point), shape) for point in points)
-            elif kind == "collision":
+            elif kind == "collision" and placed is None:
                 raise DescriptionError(f"where the collision of {link.name} ends is not known", shape.element)
     return found
 
@@ -3418,6 +3441,17 @@ class Model(Scope):
             return given.content
         return (self._text("placement_frame") or "").strip()
 
+    @property
+    def lowest(self) -> tuple[Shape, float] | None:
+        """The plain shape of its collisions that reaches lowest in what it is in, and that height (m), at its start.
+
+        None where there is none, or its place is not known.
+        """
+        try:
+            return _lowest(self)
+        except DescriptionError:
+            return None
+
     # How it hangs together
 
     @lazy
@@ -3717,6 +3751,28 @@ class ExtendedModel(Model):
 # Worlds.
 
 
+_GROUND = re.compile(r"(^|/)ground[_ ]plane(/\d+)?/?$", re.IGNORECASE)
+"""The end of the addresses of Gazebo's ground."""
+
+
+def _level(shape: Shape) -> float | None:
+    """The height (m) of a plane in its world, if it is level and does not move."""
+    model, normal = shape.link.model, shape.geometry.normal
+    try:
+        frame = _at_rest_in_sdf(shape.link)
+        if frame is None or not model.is_static or len(normal) != 3 or reference_of(model.pose_element):
+            return None
+        placed = pose_in(model.pose_element).followed_by(frame).followed_by(_placement_in(shape, shape.link))
+    except DescriptionError:
+        return None
+    x, y, z = normal
+    is_level = placed.turned((x, y, z))[2] > _LEVEL * math.hypot(x, y, z)
+    return placed.position[2] if is_level else None
+
+
+_LEVEL = 0.9999
+
+
 class World(Scope):
     """A world."""
 
@@ -3730,6 +3786,21 @@ class World(Scope):
     plugins: lazy[tuple[Plugin, ...]] = parts("plugin", "The plugins of the world itself.")
 
     gravity = vector("gravity", (0.0, 0.0, -9.8), "The acceleration of gravity (m/s²).")
+
+    @lazy
+    def floor(self) -> float | None:
+        """The height (m) of its ground, a level plane that does not move; None without one, or of several."""
+        heights = set()
+        for element in self.root.elements.get("plane", ()):
+            around = element.parent.parent if element.parent is not None else None
+            shape = self.root.part_of(around) if around is not None and around.name == "collision" else None
+            if isinstance(shape, Shape) and shape.within(World) is self:
+                heights.add(_level(shape))
+        for include in self.element.children("include"):
+            uri = include.find("uri")
+            if uri is not None and _GROUND.search(uri.content) and include.find("pose") is None:
+                heights.add(0.0)
+        return heights.pop() if len(heights) == 1 else None
 
     @lazy
     def unserved_sensors(self) -> tuple[tuple[Sensor, tuple[str, ...]], ...]:

@@ -91,6 +91,9 @@ FOUR_WHEELS = """<gazebo>
 </plugin>
 </gazebo>
 """
+ROLLERS = """<gazebo reference="left"><collision><surface><friction><ode><mu>1</mu><mu2>0</mu2><fdir1>1 1 0</fdir1>
+</ode></friction></surface></collision></gazebo>
+"""
 MECANUM = """<front_left_joint>front_left_joint</front_left_joint>
 <front_right_joint>front_right_joint</front_right_joint>
 <back_left_joint>left_joint</back_left_joint>
@@ -132,12 +135,62 @@ CAMERA = """<sensor name="{0}" type="camera"><pose>0 {1} 0 0 0 0</pose>
 SEMANTICS = """<group name="arm"><chain base_link="base" tip_link="upper"/></group>
 <group name="tool"><joint name="grip"/></group>
 """
+FINGERS = "".join(
+    f'''<link name="{name}">{MASS.replace("0.01", "0.00001").replace('mass value="1"', 'mass value="0.02"')}</link>
+<joint name="{name}_flex" type="revolute"><parent link="palm"/><child link="{name}"/><origin xyz="0 {y} 0.05"/>
+<axis xyz="0 1 0"/>
+<limit lower="0" upper="1.5" effort="{name if name == "middle" else 2}" velocity="2"/></joint>
+'''
+    for name, y in (("index", 0.03), ("middle", 0), ("ring", -0.03))
+)
+HAND = (
+    f'<link name="palm">{BODY}</link><link name="mount"/><joint name="m" type="fixed"><parent link="mount"/>'
+    f'<child link="palm"/></joint>\n{FINGERS}'
+)
+WRIST = """<link name="wrist"><inertial><mass value="0.2"/>
+<inertia ixx="0.0001" iyy="0.0001" izz="0.0001" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><geometry><sphere radius="0.03"/></geometry></collision></link>
+<joint name="roll" type="revolute"><parent link="upper"/><child link="wrist"/><origin xyz="0 0 0.42"/>
+<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="5" velocity="1"/></joint>
+<link name="palm"><inertial><mass value="0.2"/>
+<inertia ixx="0.0001" iyy="0.0001" izz="0.0001" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision>
+<geometry><box size="0.06 0.06 @@"/></geometry></collision></link>
+<joint name="pitch" type="revolute"><parent link="wrist"/><child link="palm"/><origin xyz="0 0 0.05"/>
+<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="1"/></joint>
+"""
+GROUND = """<model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane>
+<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>
+"""
+ROTOR = """<link name="rotor_{0}"><pose>{1} {2} 0.06 0 0 0</pose><inertial><mass>0.02</mass><inertia><ixx>0.0001</ixx>
+<iyy>0.0001</iyy><izz>0.0001</izz></inertia></inertial></link>
+<joint name="rotor_{0}_joint" type="revolute"><parent>hull</parent><child>rotor_{0}</child>
+<axis><xyz>0 0 1</xyz></axis></joint>
+<plugin filename="gz-sim-multicopter-motor-model-system" name="gz::sim::systems::MulticopterMotorModel">
+<jointName>rotor_{0}_joint</jointName><linkName>rotor_{0}</linkName><motorNumber>{0}</motorNumber>
+<turningDirection>{3}</turningDirection></plugin>
+"""
+ROTORS = ((0, 0.2, -0.2, "ccw"), (1, -0.2, 0.2, "ccw"), (2, 0.2, 0.2, "cw"), (3, -0.2, -0.2, "@@"))
+FIN = """<link name="rudder"><pose>-0.2 0 0 0 0 0</pose><inertial><mass>0.02</mass><inertia><ixx>0.0001</ixx>
+<iyy>0.0001</iyy><izz>0.0001</izz></inertia></inertial></link>
+<joint name="rudder_joint" type="revolute"><parent>hull</parent><child>rudder</child>
+<axis><xyz>0 0 1</xyz></axis></joint>
+<plugin filename="gz-sim-joint-position-controller-system" name="gz::sim::systems::JointPositionController">
+<joint_name>rudder_joint</joint_name></plugin>"""
+LIFT = """<plugin filename="gz-sim-lift-drag-system" name="gz::sim::systems::LiftDrag"><area>0.1</area>{}
+<link_name>hull</link_name></plugin>"""
 PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
 XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
 
 def robot(*parts: str, more: str = ' name="bot"') -> str:
     return f'<?xml version="1.0"?>\n<robot{more}>\n{"".join(parts)}\n</robot>\n'
+
+
+def world(*parts: str) -> str:
+    return (
+        f'<?xml version="1.0"?>\n<sdf version="1.9">\n<world name="w">\n{"".join(parts)}\n</world>\n</sdf>\n'
+    )
 
 
 def model(*parts: str) -> str:
@@ -618,7 +671,7 @@ PROBLEMS = {
     ),
     "front and rear of a mecanum drive are exchanged": Problem(
         "GEO009",
-        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4")))
+        robot(WAGON, ROLLERS, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4")))
         .replace("<front_left_joint>front_left_joint</front_left_joint>", "@@", 1)
         .replace("<back_left_joint>left_joint</back_left_joint>", "<!-- -->"),
         "<front_left_joint>left_joint</front_left_joint><back_left_joint>front_left_joint</back_left_joint>",
@@ -626,7 +679,7 @@ PROBLEMS = {
     ),
     "the axles are not as far apart as the plugin says": Problem(
         "GEO016",
-        robot(WAGON, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("@@"))),
+        robot(WAGON, ROLLERS, FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("@@"))),
         "0.8",
         "0.4",
     ),
@@ -1371,6 +1424,235 @@ PROBLEMS = {
         ),
         "-",
         "",
+    ),
+    # Threads of a later set
+    "the hinge of a door is twice as far away": Problem(
+        "JNT035",
+        model(
+            f'<link name="frame">{SDF_BODY}</link><link name="door"><pose>0.3 0 0 0 0 0</pose>{SDF_BODY}</link>'
+            '<joint name="hinge" type="revolute">\n<pose>@@ 0 0 0 0 0</pose>\n<parent>frame</parent>'
+            "<child>door</child><axis><xyz>0 0 1</xyz></axis></joint>"
+        ),
+        "0.3",
+        "-0.15",
+        suffix=".sdf",
+    ),
+    "the lidar of a rover hangs on nothing": Problem(
+        "FRM013",
+        model(
+            f'<link name="body">{SDF_BODY}</link>\n<model name="lidar"><pose>0 0 0.1 0 0 0</pose><link name="l">'
+            f'{SDF_BODY}<sensor name="s" type="imu"><topic>imu</topic></sensor></link></model>\n@@'
+        ),
+        "",
+        '<joint name="j" type="fixed"><parent>body</parent><child>lidar::l</child></joint>',
+        -1,
+        suffix=".sdf",
+    ),
+    "a cart has no caster": Problem(
+        "GEO023",
+        robot(CART, DRIVE).replace('<mass value="1"', '<origin xyz="@@ 0 0"/><mass value="1"', 1),
+        "-0.1",
+        "0",
+    ),
+    "an elbow bends farther on the right": Problem(
+        "JNT034",
+        robot(
+            ARM,
+            *(
+                FINGER.replace("finger", f"{side}_finger")
+                .replace('"grip"', f'"{side}_grip"')
+                .replace('"0 1 0"', f'"0 {axis} 0"')
+                .replace("0.04", reach)
+                .replace("<limit", "\n<limit")
+                for side, axis, reach in (("left", 1, "0.05"), ("right", -1, "@@"))
+            ),
+        ),
+        "0.0715",
+        "0.05",
+    ),
+    "one finger has no effort": Problem(
+        "JNT016",
+        robot(HAND).replace('effort="middle"', 'effort="@@"'),
+        "0",
+        "2",
+    ),
+    "a finger mimics with the limits of its leader": Problem(
+        "JNT022",
+        robot(ARM, FINGER.replace('"prismatic"', '"revolute"'))
+        .replace('lower="-1" upper="1"', 'lower="0" upper="0.8"')
+        .replace(
+            '<limit lower="0" upper="0.04" effort="5" velocity="1"/>',
+            '<limit @@ effort="5" velocity="1"/><mimic joint="shoulder" multiplier="-1"/>',
+        ),
+        'lower="0" upper="0.8"',
+        'lower="-0.8" upper="0"',
+    ),
+    "a finger mimics with a multiplier of 0": Problem(
+        "JNT019",
+        robot(ARM, FINGER.replace("</joint>", '\n<mimic joint="shoulder" multiplier="@@"/></joint>')),
+        "0",
+        "0.02",
+    ),
+    "a joint starts where an attribute says": Problem(
+        "R2C006",
+        robot(ARM, CONTROL.format("mock_components/GenericSystem", "shoulder")).replace(
+            '<state_interface name="position"/>', "\n@@"
+        ),
+        '<state_interface name="position" initial_value="0.5"/>',
+        '<state_interface name="position"><param name="initial_value">0.5</param></state_interface>',
+    ),
+    "a property has its dollar and no braces": in_xacro(
+        '<xacro:property name="side" value="left"/>\n<link name="@@_wheel"/>', "$side", "${side}", "XAC010"
+    ),
+    "the rollers of a mecanum drive are not modeled": Problem(
+        "GAZ031",
+        robot(WAGON, "@@\n", FOUR_WHEELS.format("mecanum", "Mecanum", MECANUM.format("0.4"))),
+        "<!-- -->",
+        ROLLERS.replace("\n", " "),
+        2,
+    ),
+    "four wheels are one pair": Problem(
+        "RES025",
+        robot(
+            WAGON,
+            ROS_DRIVE.format(
+                "<num_wheel_pairs>@@</num_wheel_pairs><left_joint>front_left_joint</left_joint>"
+                "<right_joint>front_right_joint</right_joint><wheel_separation>0.3</wheel_separation>"
+                "<wheel_diameter>0.14</wheel_diameter>"
+            ),
+        ),
+        "1",
+        "2",
+    ),
+    "a drive publishes the frames of its wheels as well": Problem(
+        "GAZ032",
+        robot(
+            CART,
+            ROS_DRIVE.format("<publish_wheel_tf>@@</publish_wheel_tf>"),
+            '<gazebo><plugin filename="libgazebo_ros_joint_state_publisher.so" name="states">'
+            "<ros><namespace>a</namespace></ros><joint_name>left_joint</joint_name></plugin></gazebo>",
+        ),
+        "true",
+        "false",
+    ),
+    "a gripper reaches into the arm that it collides with": Problem(
+        "GEO026",
+        robot(
+            ARM,
+            WRIST,
+            *(
+                f'<gazebo reference="{name}"><selfCollide>true</selfCollide></gazebo>'
+                for name in ("upper", "wrist", "palm")
+            ),
+        ),
+        "0.4",
+        "0.06",
+        -1,
+    ),
+    "a robot is static and is to move": Problem(
+        "GAZ021",
+        robot(CART, DRIVE, "<gazebo><static>@@</static></gazebo>"),
+        "true",
+        "false",
+    ),
+    "a drone is half in the ground": Problem(
+        "GEO025",
+        world(
+            GROUND, f'<model name="drone">\n<pose>0 0 @@ 0 0 0</pose><link name="l">{SDF_BODY}</link></model>'
+        ),
+        "0",
+        "0.05",
+        suffix=".sdf",
+    ),
+    "the link of a payload has another name": Problem(
+        "RES024",
+        world(
+            GROUND,
+            f'<model name="carrier"><pose>0 0 1 0 0 0</pose><link name="l">{SDF_BODY}</link>\n'
+            '<plugin filename="gz-sim-detachable-joint-system" name="gz::sim::systems::DetachableJoint">'
+            "<parent_link>l</parent_link><child_model>payload</child_model><child_link>@@</child_link></plugin></model>",
+            f'<model name="payload"><pose>0 0 0.05 0 0 0</pose><link name="box">{SDF_BODY}</link></model>',
+        ),
+        "dummy",
+        "box",
+        suffix=".sdf",
+    ),
+    "an autopilot looks for its sensor on another link": Problem(
+        "RES024",
+        model(
+            f'<link name="hull">{SDF_BODY}<sensor name="imu" type="imu"><topic>imu</topic></sensor></link>\n'
+            '<plugin name="ArduPilotPlugin" filename="ArduPilotPlugin">\n<imuName>@@</imuName></plugin>'
+        ),
+        "imu_link::imu",
+        "hull::imu",
+        suffix=".sdf",
+    ),
+    "three of four rotors turn one way": Problem(
+        "GAZ030",
+        model(f'<link name="hull">{SDF_BODY}</link>', *(ROTOR.format(*each) for each in ROTORS)),
+        "ccw",
+        "cw",
+        suffix=".sdf",
+    ),
+    "a rudder changes no lift": Problem(
+        "GAZ033",
+        model(f'<link name="hull">{SDF_BODY}</link>', FIN, "\n", LIFT.format("@@")),
+        "",
+        "<control_joint_name>rudder_joint</control_joint_name>",
+        -1,
+        suffix=".sdf",
+    ),
+    "wind blows on nothing": Problem(
+        "GAZ014",
+        world(
+            GROUND,
+            '<plugin filename="gz-sim-wind-effects-system" name="gz::sim::systems::WindEffects"/>\n',
+            f'<model name="balloon"><pose>0 0 1 0 0 0</pose>@@<link name="l">{SDF_BODY}</link></model>',
+        ),
+        "",
+        "<enable_wind>true</enable_wind>",
+        -1,
+        suffix=".sdf",
+    ),
+    "the wind of Classic has no factor": Problem(
+        "RES021",
+        world(GROUND, '<plugin filename="libWindPlugin.so" name="wind">@@</plugin>'),
+        "",
+        "<force_approximation_scaling_factor>1</force_approximation_scaling_factor>",
+        suffix=".world",
+    ),
+    "an actor walks by an animation that it does not have": Problem(
+        "SCH027",
+        world(
+            GROUND,
+            '<actor name="walker"><skin><filename>https://example.org/walk.dae</filename></skin>'
+            '<animation name="walk"><filename>https://example.org/walk.dae</filename>'
+            "<interpolate_x>true</interpolate_x></animation>"
+            '<script>\n<trajectory id="0" type="@@"><waypoint><time>0</time><pose>0 0 1 0 0 0</pose></waypoint>'
+            "<waypoint><time>4</time><pose>4 0 1 0 0 0</pose></waypoint></trajectory></script></actor>",
+        ),
+        "walking",
+        "walk",
+        suffix=".sdf",
+    ),
+    "the sun shines up": Problem(
+        "SCH037",
+        world('<light name="sun" type="directional">\n<direction>@@</direction></light>'),
+        "0.1 0.1 1",
+        "0.1 0.1 -1",
+        suffix=".sdf",
+    ),
+    "the rows of a lidar have no angles": Problem(
+        "SCH038",
+        model(
+            f'<link name="l">{SDF_BODY}<sensor name="s" type="gpu_lidar"><topic>scan</topic><lidar>\n<scan>'
+            "<horizontal><samples>360</samples><min_angle>-3</min_angle><max_angle>3</max_angle></horizontal>"
+            "<vertical><samples>16</samples>@@</vertical></scan><range><min>0.1</min><max>10</max></range></lidar>"
+            "</sensor></link>"
+        ),
+        "<min_angle>0</min_angle><max_angle>0</max_angle>",
+        "<min_angle>-0.2</min_angle><max_angle>0.2</max_angle>",
+        suffix=".sdf",
     ),
 }
 

@@ -75,6 +75,8 @@ from sdfcheck.xacro.static.project import (
 
 BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
 """An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
+_BRACELESS = re.compile(r"\$([A-Za-z_]\w*)")
+"""An expression whose braces were forgotten, perhaps."""
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -141,22 +143,32 @@ def _divides_by_zero(node: ast.AST) -> bool:
 
 
 def _unevaluated(document: Document, visible: Definitions) -> Iterator[UnevaluatedExpression]:
-    """Braces around a name that is known here without their dollar, and expressions without end."""
+    """Names that are known here in braces without dollar, or without braces, and expressions without end."""
+    outside = frozenset(visible.properties)
+    inside = outside.union(visible.parameters)
     for element, macro in reading(document).elements:
-        for attribute, text in texts(element, "{("):
+        known = outside if macro is None else inside
+        for attribute, text in texts(element, "{($"):
             plain = replaced(text, lambda match: " " * len(match[0]))
-            for match in BRACES.finditer(plain):
-                names = free_names(match[1])
-                is_known = names <= visible.properties or (
-                    macro is not None
-                    and all(name in visible.properties or name in visible.parameters for name in names)
-                )
-                if names and is_known and not _is_free(element):
-                    span = place(element, attribute, match[0])
+            for written, code in () if _is_free(element) else _loose(plain, known):
+                names = free_names(code)
+                if names and names <= known:
+                    span = place(element, attribute, written)
                     value = element.attribute(attribute) if attribute else None
-                    yield UnevaluatedExpression(span, f"${match[0]}", is_open=False, value=value)
+                    yield UnevaluatedExpression(span, f"${{{code}}}", is_open=False, value=value)
             for rest in _endless(text, plain):
                 yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
+
+
+def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[str, str]]:
+    """The pieces of a text that may be expressions: as they are written, and the code that each would be."""
+    for match in BRACES.finditer(plain):
+        yield match[0], match[1]
+    for match in _BRACELESS.finditer(plain):
+        name = match[1]
+        while name not in known and "_" in name:
+            name = name.rpartition("_")[0]
+        yield f"${name}", name
 
 
 def _endless(text: str, plain: str) -> Iterator[str]:
