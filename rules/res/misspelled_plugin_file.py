@@ -29,10 +29,10 @@ class MisspelledPluginFile(Rule):
             says="nothing in Gazebo is called `gz-sim-phyics-system`; did you mean `gz-sim-physics-system`?",
         ),
         Bad(
-            '<plugin filename="«libgazebo_ros_imu_sensors.so»" name="imu"/>',
-            fixed='<plugin filename="libgazebo_ros_imu_sensor.so" name="imu"/>',
+            '<plugin filename="«libgazebo_ros_states.so»" name="state"/>',
+            fixed='<plugin filename="libgazebo_ros_state.so" name="state"/>',
             unsafe=True,
-            says="did you mean `libgazebo_ros_imu_sensor.so`?",
+            says="did you mean `libgazebo_ros_state.so`?",
         ),
         Bad(
             '<gui><plugin filename="«WorldControls»" name="World control"/></gui>',

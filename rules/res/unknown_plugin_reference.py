@@ -6,7 +6,10 @@ DRIVE = (
     '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">'
     "<left_joint>{}</left_joint><right_joint>wheel</right_joint></plugin>"
 )
-WHEEL = '<link name="w"/><joint name="wheel" type="fixed"><parent>base</parent><child>w</child></joint>'
+WHEEL = (
+    '<link name="w"/><joint name="wheel" type="continuous"><parent>base</parent><child>w</child>'
+    "<axis><xyz>0 1 0</xyz></axis></joint>"
+)
 ROS_DRIVE = (
     '<link name="w"><inertial><mass value="1"/>'
     '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>'
