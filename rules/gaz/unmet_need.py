@@ -7,6 +7,8 @@ FLUID = "add `gz-sim-buoyancy-system` to the plugins of the world"
 BLOWN = "add `<enable_wind>true</enable_wind>` to what the wind is to move"
 LOST = {"navsat": "reports nothing", "gps": "reports nothing"}
 """How sensors go on in a world without a place on the earth."""
+GROUNDED = "add a static model with a plane, such as that of `model://ground_plane`"
+DRIVES = frozenset(f"gz-sim-{name}-system" for name in ("diff-drive", "ackermann-steering", "mecanum-drive"))
 GZ_SIM = "gz-sim"
 PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
 GPS = '<model name="m"><link name="l"><inertial><mass>1</mass></inertial><{} name="s" type="navsat"/></link></model>'
@@ -24,17 +26,27 @@ WIND = (
     '<{} filename="gz-sim-wind-effects-system" name="gz::sim::systems::WindEffects"/>'
     '<model name="balloon">{}<link name="l"><inertial><mass>1</mass></inertial></link></model>'
 )
+ROVER = (
+    '<model name="m"><link name="l"><collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry>'
+    '</collision></link><link name="w"/><link name="v"/><joint name="j" type="continuous"><parent>l</parent>'
+    "<child>w</child><axis><xyz>0 1 0</xyz></axis></joint>"
+    '<joint name="k" type="continuous"><parent>l</parent><child>v</child><axis><xyz>0 1 0</xyz></axis></joint>'
+    '<{} filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"><left_joint>j</left_joint>'
+    "<right_joint>k</right_joint></plugin></model>"
+)
+FLOOR = GROUND.replace("<{}><uri>h.png</uri></heightmap>", "<plane><normal>0 0 1</normal></plane>")
 DETECTOR = '<physics type="ode"><dart><collision_detector>bullet</collision_detector></dart></physics>'
 
 
 class UnmetNeed(Rule):
     """Something in a world of Gazebo needs what the world does not have.
 
-    A navsat sensor needs `spherical_coordinates`, without which it has no position to report; for a magnetometer Gazebo
-    works out the field at that place, and warns at each step where it has none. The WindEffects system needs a model or
-    link with `enable_wind`, without which it moves nothing. Hydrodynamics needs the
-    Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the collision detector `bullet`:
-    that of the engine by default does not know heightmaps, and everything falls through.
+    A navsat sensor needs `spherical_coordinates`, without which it has no position to report; for a magnetometer
+    Gazebo works out the field at that place, and warns at each step where it has none. The WindEffects system needs
+    a model or link with `enable_wind`, without which it moves nothing, and a robot on wheels something to stand on.
+    Hydrodynamics needs the Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the
+    collision detector `bullet`: that of the engine by default does not know heightmaps, and everything falls
+    through.
     """
 
     code = "GAZ014"
@@ -44,6 +56,7 @@ class UnmetNeed(Rule):
 
     - A navsat sensor or magnetometer: `<spherical_coordinates>` with `surface_model`, `latitude_deg`,
       `longitude_deg`, `elevation` and `heading_deg`.
+    - A robot on wheels: a static model with a plane, or an include of one.
     - Wind: `<enable_wind>true</enable_wind>` in the models or links that it is to move.
     - Hydrodynamics: a plugin `gz-sim-buoyancy-system` with
       `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
@@ -70,6 +83,10 @@ class UnmetNeed(Rule):
             says="moves nothing: no model or link of world `w` has `enable_wind`",
         ),
         Bad(
+            PHYSICS + ROVER.replace("{}", "«plugin»"),
+            says="model `m` falls: nothing in world `w` is there to stand on",
+        ),
+        Bad(
             PHYSICS + GROUND.replace("{}", "«heightmap»"),
             says="collides with nothing: world `w` does not choose the collision detector `bullet`",
         ),
@@ -89,6 +106,7 @@ class UnmetNeed(Rule):
         Good(PHYSICS + BUOYANCY + BOAT.replace("{}", "plugin")),
         Good(PHYSICS + WIND.format("plugin", "<enable_wind>true</enable_wind>")),
         Good(PHYSICS + WIND.format("plugin", "<static>true</static>"), why="the model comes later"),
+        Good(PHYSICS + ROVER.replace("{}", "plugin") + FLOOR),
         Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
         Good(GROUND.replace("{}", "heightmap"), why="nothing says that the world is for the new Gazebo"),
     )
@@ -132,6 +150,7 @@ def needs(world: World) -> Iterator[tuple[Target, str, str | None]]:
                 yield plugin, f"the vessel sinks: {world.title} has no Buoyancy system", FLUID
                 break
     yield from windless(world, plugins)
+    yield from groundless(world, plugins)
     chosen = {element.content for element in root.elements.get("collision_detector", ())}
     if not chosen and not any(
         "physics" in plugin.filename and "engine" in text(plugin) for plugin in world.plugins
@@ -160,6 +179,17 @@ def windless(world: World, plugins: list[Plugin]) -> Iterator[tuple[Target, str,
             and plugin.holder is world
         ):
             yield plugin, f"moves nothing: no model or link of {world.title} has `enable_wind`", BLOWN
+
+
+def groundless(world: World, plugins: list[Plugin]) -> Iterator[tuple[Target, str, str]]:
+    """The drive of a robot beside which nothing in the world collides."""
+    bodies = [model for model in world.models if any(link.collisions for link in model.links)]
+    gravity = world.find("gravity")
+    if len(bodies) != 1 or not world.is_complete or gravity is not None:
+        return
+    for plugin in plugins:
+        if plugin.known is not None and plugin.known.file in DRIVES and plugin.holder is bodies[0]:
+            yield plugin, f"{bodies[0].title} falls: nothing in {world.title} is there to stand on", GROUNDED
 
 
 def text(plugin: Plugin) -> str:

@@ -61,7 +61,8 @@ class SunkenModel(Rule):
             start: Part | Element = model if model.include is None else model.include
             pose = start.find("pose")
             target = start if pose is None or not pose.content else pose.own_value
-            message = f"{model.title} starts {depth * 1000:.3g} mm deep in the ground"
+            deep = f"{depth:.3g} m" if depth >= 1 else f"{depth * 1000:.3g} mm"
+            message = f"{model.title} starts {deep} deep in the ground"
             yield self.diagnostic(target, message, labels={shape: "its lowest collision"})
 
 
