@@ -15,7 +15,7 @@ class ForceTorqueOnLink(Rule):
     Gazebo logs that its parent has to be a joint, and does not make it: nothing is published on its topic.
     """
 
-    code = "GAZ034"
+    code = "GAZ035"
     name = "force-torque-on-link"
     severity = Severity.WARNING
     remedy = """Move the sensor into the joint whose force it is to measure.
