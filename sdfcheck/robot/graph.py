@@ -1800,6 +1800,10 @@ def _is_lumped(node: Node) -> bool:
 # Plugins.
 
 
+_WHOLE_FILES = frozenset({"gazebo-classic", "gazebo_ros1", "gazebo_ros2"})
+"""Generations that look for the file of a plugin as it is written, while gz-sim adds ``lib`` and ``.so``."""
+
+
 class Plugin(Part):
     """A plugin, of a world, model, sensor, visual or ``<gazebo>`` block; its parameters are its own."""
 
@@ -1917,7 +1921,11 @@ class Plugin(Part):
     def meant_file(self) -> str | None:
         """The file of a system of Gazebo, or of a part of its window, that was probably meant by one that is not."""
         name = self.filename
-        if self.known is not None or "$" in name:
+        if self.known is not None:
+            whole = f"lib{self.known.file}.so"
+            is_part = name != whole and name in whole and self.known.generation in _WHOLE_FILES
+            return whole if is_part else None
+        if "$" in name:
             return None
         from sdfcheck.formats.plugins import file_of_class, gui_files, known_files, ros_files, stem
 

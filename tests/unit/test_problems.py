@@ -1426,6 +1426,12 @@ PROBLEMS = {
         "",
     ),
     # Threads of a later set
+    "the library of a drive lacks its end": Problem(
+        "RES015",
+        robot(CART, ROS_DRIVE.format("").replace("libgazebo_ros_diff_drive.so", "@@")),
+        "libgazebo_ros_diff_drive",
+        "libgazebo_ros_diff_drive.so",
+    ),
     "the hinge of a door is twice as far away": Problem(
         "JNT035",
         model(
