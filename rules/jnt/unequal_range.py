@@ -21,8 +21,8 @@ class UnequalRange(Rule):
     """A joint moves over another range than the same joint on the other side.
 
     Arms, legs and fingers are built alike on both sides, and their joints have the same range or the mirror image of
-    it. Of 7,086 pairs in public robots 25 have not, in seven robots, in two of which the limits belong to the joint
-    before; a planner does not find the way that the other side takes.
+    it. Of 7,086 pairs in public robots 25 have not, in four robots, in one of which the limits of an arm belong to the
+    joint before. A planner does not find the way that the other side takes.
     """
 
     code = "JNT034"

@@ -7,7 +7,8 @@ class MisspelledPluginFile(Rule):
     """The file of a plugin is nearly, but not quite, that of a system or of a part of the window of Gazebo.
 
     Gazebo reports that it does not find the library, and goes on without it. The same holds for systems that newer
-    releases do not have any more, and where the class is written in place of the library.
+    releases do not have any more, where the class is written in place of the library, and for plugins of Gazebo Classic
+    whose `lib` or `.so` is missing.
     """
 
     code = "RES015"
@@ -50,6 +51,12 @@ class MisspelledPluginFile(Rule):
             unsafe=True,
             says="`gz::sim::systems::Physics` is a class, and `filename` names its library",
         ),
+        Bad(
+            '<plugin filename="«libgazebo_ros_state»" name="ros"/>',
+            fixed='<plugin filename="libgazebo_ros_state.so" name="ros"/>',
+            unsafe=True,
+            says="did you mean `libgazebo_ros_state.so`?",
+        ),
     )
     good = (
         Good('<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'),
@@ -65,7 +72,7 @@ class MisspelledPluginFile(Rule):
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         value, meant = plugin.filename_value, plugin.meant_file
         assert value is not None
-        if plugin.known is not None:
+        if plugin.known is not None and plugin.known.last:
             message = f"`{plugin.known.file}` is gone since Gazebo Sim {int(plugin.known.last) + 1}"
             yield self.diagnostic(value, message)
             return

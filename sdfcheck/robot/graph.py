@@ -1812,6 +1812,8 @@ def _is_lumped(node: Node) -> bool:
 
 
 _CARRIERS = frozenset(("world", "model", "sensor", "visual", "actor"))
+_WHOLE_FILES = frozenset({"gazebo-classic", "gazebo_ros1", "gazebo_ros2"})
+"""Generations that look for the file of a plugin as it is written, while gz-sim adds ``lib`` and ``.so``."""
 
 
 class Plugin(Part):
@@ -1952,7 +1954,11 @@ class Plugin(Part):
     def meant_file(self) -> str | None:
         """The file of a system of Gazebo, or of a part of its window, that was probably meant by one that is not."""
         name = self.filename
-        if self.known is not None or "$" in name:
+        if self.known is not None:
+            whole = f"lib{self.known.file}.so"
+            is_part = name != whole and name in whole and self.known.generation in _WHOLE_FILES
+            return whole if is_part else None
+        if "$" in name:
             return None
         from sdfcheck.formats.plugins import file_of_class, gui_files, known_files, ros_files, stem
 

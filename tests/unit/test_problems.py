@@ -1426,6 +1426,25 @@ PROBLEMS = {
         "",
     ),
     # Threads of a later set
+    "a submarine is lighter than its water": Problem(
+        "GAZ034",
+        world(
+            '<plugin filename="gz-sim-buoyancy-system" name="gz::sim::systems::Buoyancy">'
+            "<uniform_fluid_density>1000</uniform_fluid_density></plugin>",
+            f'<model name="auv"><link name="l">{SDF_BODY}</link>'.replace("<mass>1<", "\n<mass>@@<"),
+            '<plugin filename="gz-sim-hydrodynamics-system" name="gz::sim::systems::Hydrodynamics">'
+            "<link_name>l</link_name></plugin></model>",
+        ),
+        "1",
+        "6",
+        suffix=".sdf",
+    ),
+    "the library of a drive lacks its end": Problem(
+        "RES015",
+        robot(CART, ROS_DRIVE.format("").replace("libgazebo_ros_diff_drive.so", "@@")),
+        "libgazebo_ros_diff_drive",
+        "libgazebo_ros_diff_drive.so",
+    ),
     "the hinge of a door is twice as far away": Problem(
         "JNT035",
         model(
