@@ -102,8 +102,7 @@ def culprit(plugin: Plugin) -> tuple[Link, Shape, float, bool, str] | None:
 
     Then whether that is a collision, and how the robot stands.
     """
-    drive = plugin.drive
-    stance = drive.stance if drive is not None else None
+    drive, stance = plugin.drive, plugin.stance
     if drive is None or stance is None:
         return None
     least = LIFTED * drive.left.radius
@@ -130,7 +129,7 @@ def culprit(plugin: Plugin) -> tuple[Link, Shape, float, bool, str] | None:
 def tipping(plugin: Plugin) -> tuple[Link, float] | None:
     """The body of a robot that nothing carries but two wheels, and how far beside their axle it is heavy (m)."""
     drive = plugin.drive
-    stance = drive.stance if drive is not None and len(drive.wheels) == 2 else None
+    stance = plugin.stance if drive is not None and len(drive.wheels) == 2 else None
     body = drive.left.joint.parent_link if drive is not None else None
     if drive is None or stance is None or body is None or drive.steering or stance.tilt < MOST:
         return None

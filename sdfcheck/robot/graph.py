@@ -1951,6 +1951,12 @@ class Plugin(Part):
         return drive_of(self)
 
     @lazy
+    def stance(self) -> Stance | None:
+        """How the robot that it drives stands on a floor; None where that is not known."""
+        model = self.drive.left.joint.model if self.drive is not None else None
+        return _stance(model, self.drive) if model is not None and self.drive is not None else None
+
+    @lazy
     def meant_file(self) -> str | None:
         """The file of a system of Gazebo, or of a part of its window, that was probably meant by one that is not."""
         name = self.filename
@@ -2213,12 +2219,6 @@ class Drive(NamedTuple):
         ]
         found = ((one, other, way) for one, other, along, way in pairs if other.ahead_of(one, along) > _NEAR)
         return next(found, None)
-
-    @property
-    def stance(self) -> Stance | None:
-        """How its robot stands on a floor; None where that is not known."""
-        model = self.left.joint.model
-        return _stance(model, self) if model is not None else None
 
     @property
     def written_radius(self) -> float:
