@@ -1,3 +1,4 @@
+import re
 from collections.abc import Iterator
 from math import inf
 
@@ -5,10 +6,12 @@ from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
 
 SHARE = 0.05
 """Of the range: less is how both were measured."""
+SIDE = re.compile(r"(?i)left|right|(?<![a-z])[lr](?![a-z])")
 JOINT = (
     '<link name="{0}_arm"/><joint name="{0}_elbow" type="revolute"><parent link="body"/><child link="{0}_arm"/>'
     '<axis xyz="0 1 0"/><{3} lower="{1}" upper="{2}" effort="9" velocity="1"/></joint>'
 )
+MESH = '<link name="{0}_arm"><visual><geometry><mesh filename="http://a.org/{1}/tip.stl"/></geometry></visual></link>'
 
 
 def arms(left: tuple[str, str], right: tuple[str, str], tag: str = "limit") -> str:
@@ -45,12 +48,20 @@ class UnequalRange(Rule):
         Good(arms(("-0.5", "1"), ("-1", "0.5")), why="the mirror image"),
         Good(arms(("-1", "1"), ("-1.01", "1.01")), why="measured"),
         Good(arms(("0", "0"), ("-1", "1")), why="locked-joint speaks of that"),
+        Good(
+            arms(("-1", "1"), ("-1", "2"))
+            .replace('<link name="left_arm"/>', MESH.format("left", "make_a"))
+            .replace('<link name="right_arm"/>', MESH.format("right", "make_b")),
+            why="grippers of two makers",
+        ),
     )
 
     @staticmethod
     def applies(joint: Joint) -> bool:
         other = joint.mirror
         if other is None or other.name > joint.name or joint.type != other.type or not joint.moves:
+            return False
+        if is_of_other_make(joint, other):
             return False
         mine, its = width(joint), width(other)
         return 0 < mine < inf and 0 < its < inf and abs(mine - its) > SHARE * max(mine, its)
@@ -72,3 +83,17 @@ def width(joint: Joint) -> float:
     """How far it goes from one end to the other."""
     lower, upper = joint.axis.limit.range
     return upper - lower
+
+
+def is_of_other_make(joint: Joint, other: Joint) -> bool:
+    """Are the meshes of what they carry in different folders, not those of two sides: two hands of two makers?"""
+    mine, its = folder(joint), folder(other)
+    return bool(mine and its) and mine != its
+
+
+def folder(joint: Joint) -> str:
+    """The folder of the first mesh that it carries, without the words for sides."""
+    shapes = joint.child_link.shapes if joint.child_link is not None else ()
+    names = (shape.geometry.uri_value for shape in shapes)
+    path = next((name.text.strip() for name in names if name is not None), "")
+    return SIDE.sub("", path.rpartition("/")[0])
