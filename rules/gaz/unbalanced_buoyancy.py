@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Model, Plugin, Rule, Severity, World
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Element, Good, Model, Part, Plugin, Rule, Severity, World
 
 BUOYANCY, HYDRODYNAMICS = "gz-sim-buoyancy-system", "gz-sim-hydrodynamics-system"
 WATER = 1000.0
@@ -12,7 +12,8 @@ SEA = (
     "<uniform_fluid_density>1000</uniform_fluid_density></plugin>"
 )
 SUBMARINE = (
-    '<model name="auv"><link name="hull"><inertial><mass>{}</mass><inertia><ixx>0.09</ixx><iyy>1.5</iyy>'
+    '<model name="auv"><pose>0 0 -5 0 0 0</pose><link name="hull"><inertial><mass>{}</mass><inertia>'
+    "<ixx>0.09</ixx><iyy>1.5</iyy>"
     '<izz>1.55</izz></inertia></inertial><collision name="c"><geometry><box>'
     "<size>1 0.2 0.1</size></box></geometry></collision></link>"
     f'<plugin filename="{HYDRODYNAMICS}" name="gz::sim::systems::Hydrodynamics"><link_name>hull</link_name></plugin>'
@@ -30,7 +31,8 @@ class UnbalancedBuoyancy(Rule):
 
     Water of one density has no surface: what is lighter rises without end, and what is heavier sinks. Buoyancy goes by
     the volume of the collisions, so that a box around a hull lifts more than the hull. Looked at are models with
-    hydrodynamics in a world of uniform density, whose collisions are plain shapes.
+    hydrodynamics in a world of uniform density, whose collisions are plain shapes; of those that are too light the ones
+    that start below a height of 0, for others may be boats.
     """
 
     code = "GAZ034"
@@ -57,6 +59,7 @@ class UnbalancedBuoyancy(Rule):
         Good(
             submarine("5").replace("uniform_fluid_density", "graded_buoyancy"), why="it floats at the surface"
         ),
+        Good(submarine("5").replace("0 0 -5", "0 0 0"), why="a boat"),
     )
 
     @staticmethod
@@ -87,7 +90,17 @@ def balance(plugin: Plugin) -> tuple[float, float] | None:
         return None
     mass = sum(link.inertial.mass.number for link in model.links)
     displaced = density * sum(volumes)
-    return (mass, displaced) if not mass / MOST <= displaced <= mass * MOST and mass > 0 else None
+    if not mass > 0 or mass / MOST <= displaced <= mass * MOST or (displaced > mass and not dives(model)):
+        return None
+    return mass, displaced
+
+
+def dives(model: Model) -> bool:
+    """Does it start below a height of 0?"""
+    start: Part | Element = model if model.include is None else model.include
+    pose = start.find("pose")
+    heights = pose.content.split()[2:3] if pose is not None else []
+    return any(height.startswith("-") for height in heights)
 
 
 def earlier(plugin: Plugin) -> Iterator[Plugin]:

@@ -10,6 +10,7 @@ PLANE = (
     '<model name="ground"><static>true</static><link name="l"><collision name="c"><geometry><plane><normal>0 0 1'
     "</normal></plane></geometry></collision></link></model>"
 )
+WATER = '<plugin filename="gz-sim-buoyancy-system" name="gz::sim::systems::Buoyancy"/>'
 DRONE = (
     '<model name="drone"><pose>0 0 {} 0 0 0</pose>{}<link name="l"><{} name="c"><geometry><box><size>0.4 0.4 0.2</size>'
     "</box></geometry></{}></link></model>"
@@ -26,7 +27,7 @@ class SunkenModel(Rule):
 
     At the first step the contacts push it out: it jumps, tips over, or stays caught. Its pose places the origin of
     the model, which often is in the middle of its body. Planes that do not move count as the ground, and plain shapes
-    of collisions as its feet; a model that a joint ties to the world is left out.
+    of collisions as its feet; a model that a joint ties to the world is left out, and worlds in which things float are.
     """
 
     code = "GEO025"
@@ -50,6 +51,7 @@ class SunkenModel(Rule):
         Good(drone("0.095"), why="5 mm"),
         Good(drone("0", more="<static>true</static>"), why="a foundation"),
         Good(drone("0", "visual"), why="nothing touches the ground"),
+        Good(drone("0").replace(PLANE, WATER + PLANE), why="a boat"),
     )
 
     @staticmethod
@@ -68,7 +70,8 @@ class SunkenModel(Rule):
 
 def sunken(world: World) -> Iterator[tuple[Model, Shape, float]]:
     """The models that begin below the ground, their lowest shapes and how deep those are (m)."""
-    floor = world.floor if len(world.models) < MOST else None
+    has_water = any("buoyancy" in plugin.filename for plugin in world.plugins)
+    floor = world.floor if len(world.models) < MOST and not has_water else None
     for model in world.models if floor is not None else ():
         is_held = model.may_be_static or any(joint.parent_name == "world" for joint in model.joints)
         lowest = None if is_held else model.lowest

@@ -1431,7 +1431,9 @@ PROBLEMS = {
         world(
             '<plugin filename="gz-sim-buoyancy-system" name="gz::sim::systems::Buoyancy">'
             "<uniform_fluid_density>1000</uniform_fluid_density></plugin>",
-            f'<model name="auv"><link name="l">{SDF_BODY}</link>'.replace("<mass>1<", "\n<mass>@@<"),
+            f'<model name="auv"><pose>0 0 -3 0 0 0</pose><link name="l">{SDF_BODY}</link>'.replace(
+                "<mass>1<", "\n<mass>@@<"
+            ),
             '<plugin filename="gz-sim-hydrodynamics-system" name="gz::sim::systems::Hydrodynamics">'
             "<link_name>l</link_name></plugin></model>",
         ),
