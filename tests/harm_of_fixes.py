@@ -10,7 +10,7 @@ from sdfcheck import Consumer, Run, Severity, lint
 from sdfcheck.consumers.engines import Answer, Engine, Limits, Question, ask
 from sdfcheck.consumers.reaction import ON_REQUEST
 
-_DIRECTIVE = re.compile(r"sdfcheck:\s*(?:ignore-file|ignore|disable|enable)\b(?:\[[^\]]*\])?")
+_DIRECTIVE = re.compile(r"sdfcheck:\s*(?:ignore-file|ignore|disable|enable)\b(?:\[[^\]<>]*\])?")
 
 _LIMITS = Limits(seconds=20)
 
