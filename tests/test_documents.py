@@ -24,6 +24,8 @@ _COMMAND = re.compile(r"^[ \t]*(?:\$ |- (?:script|run): )?(sdfcheck [a-z].*)$", 
 _ELSEWHERE = {"tutorial.md", "packs.md"}
 """Pages whose commands other tests run, with the files that the pages are about."""
 _OWN = {facts.code for facts in FACTS}
+_MOVED = {"PYB002"}
+"""Where a long line is broken: the comment itself moves the place."""
 ROBOT = """<robot name="robot" xmlns:xacro="http://www.ros.org/wiki/xacro">
   <xacro:arg name="arm" default="right"/>
   <link name="base"/>
@@ -165,7 +167,7 @@ def test_the_comment_on_the_page_of_a_rule_turns_it_off(
         assert main([*asked, *options]) in {0, 1}
         return [each["code"] for each in json.loads(capsys.readouterr().out)["diagnostics"]]
 
-    if code not in found() or code in _OWN:
+    if code not in found() or code in _OWN | _MOVED:
         pytest.skip("the example needs more than its file")
     assert main(["lint", "--isolated", "--select", code, "--add-ignore", "-q", str(file)]) in {0, 1}
     capsys.readouterr()

@@ -43,13 +43,20 @@ class Looking:
 
     async def news(self, kind: str, test: Callable[[Any], object] = bool) -> Any:
         """The next message of a kind that is as expected."""
+        return await self._next(lambda message: message["kind"] == kind and test(message))
+
+    async def noted(self, words: str) -> None:
+        """Wait for a note with these words, which comes alone, or with the robot from before."""
+        await self._next(lambda message: words in (message.get("note") or ""))
+
+    async def _next(self, test: Callable[[Any], object]) -> Any:
         end = time.monotonic() + PATIENCE / 2
         seen = []
         while time.monotonic() < end:
             line = await asyncio.to_thread(self._events.readline)
             if line.startswith(b"data: "):
                 message = json.loads(line[6:])
-                if message["kind"] == kind and test(message):
+                if test(message):
                     return message
                 seen.append(message)
         raise AssertionError(f"it did not come, but {seen}")
@@ -107,13 +114,13 @@ async def test_the_robot_follows_its_text(session: Session, folder: Path, looked
     text.change('name="base"', 'name="basis"')
     await built(page, "left_ball", "basis")
     text.change('name="basis"/>', 'name="basis"')  # broken: the last one stays
-    await page.news("note", lambda news: "robot from before" in news["note"])
+    await page.noted("robot from before")
     text.change('name="basis"', 'name="foot"/>')
     await built(page, "left_ball", "foot")
     await page.say(kind="arguments", values={"side": "right"})
     await built(page, "right_ball", "foot")
     text.change("${size * 2}", "${sise * 2}")
-    await page.news("note", lambda news: "cannot be expanded" in news["note"])
+    await page.noted("cannot be expanded")
 
 
 async def test_arguments_without_values_are_asked_for(
