@@ -2,8 +2,8 @@ from collections.abc import Iterator, Mapping
 
 from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Joint, Limit, Number, Rule, Severity
 
-LEAST = 2
-"""So many joints whose names differ in a word have other limits."""
+LEAST, MOST = 2, 200
+"""So many joints whose names differ in a word have other limits, of so many that are compared."""
 LIMITED = frozenset({"revolute", "prismatic"})
 FINGER = (
     '<link name="{0}"/><joint name="{0}_flex" type="revolute"><parent link="palm"/><child link="{0}"/>'
@@ -120,7 +120,7 @@ def alike(joint: Joint) -> list[list[Joint]]:
     words = joint.name.split("_")
     found: dict[int, list[Joint]] = {}
     joints = joint.model.joints if joint.model is not None and joint.type in LIMITED else ()
-    for other in joints:
+    for other in joints if len(joints) <= MOST else ():
         theirs = other.name.split("_")
         differing = [at for at, (word, its) in enumerate(zip(words, theirs, strict=False)) if word != its]
         if len(differing) == 1 and len(words) == len(theirs) > 1:
