@@ -1,5 +1,6 @@
 from collections.abc import Iterator
 from contextlib import suppress
+from functools import partial
 from itertools import islice
 from math import dist, inf
 
@@ -177,12 +178,14 @@ def is_spread(model: Model) -> bool:
 
 def nearest(link: Link, others: list[Link], bound: float) -> float:
     """How far the nearest link is (m); not more than the bound where one is within that, or at an unknown place."""
-    least = inf
-    for other in others:
-        if other.shapes and between_balls(link, other) < least:
-            least = min(least, link.distance_to(other))
-            if not least > bound:
-                break
+    shown = [other for other in others if other.shapes]
+    least = link.distance_to(shown[0]) if shown else inf
+    if not least > bound:  # to its parent, as mostly
+        return least
+    for other in sorted(shown[1:], key=partial(between_balls, link)):
+        if between_balls(link, other) >= least:
+            break
+        least = min(least, link.distance_to(other))
     return least
 
 
