@@ -393,7 +393,10 @@ class Link(Node):
 
         Of its collisions if it has no visuals; about their center, along the axes of the link. None if not known.
         """
-        skin = _skin_of(self, self.visuals or self.collisions, Origin())
+        shapes = self.visuals or self.collisions
+        if all(shape.geometry.solid is not None for shape in shapes):
+            return _filled(self, shapes)
+        skin = _skin_of(self, shapes, Origin())
         return skin.filled if skin is not None else None
 
     def is_in(self, other: Link, share: float) -> bool:
@@ -563,6 +566,29 @@ def _skin_of(link: Link, shapes: Sequence[Shape], frame: Origin | None) -> Skin 
         )
     except DescriptionError:
         return None
+
+
+def _filled(link: Link, shapes: Sequence[Shape]) -> Moments | None:
+    """The moments of 1 kg that fills plain shapes of a link evenly, about their center; None if not known."""
+    if link.document.kind is Kind.XACRO or link.is_unfinished:
+        return None
+    parts = []
+    try:
+        for shape in shapes:
+            if (solid := shape.geometry.solid) is not None:
+                pose = _placement_in(shape, link)
+                parts.append((solid.volume, pose.applied_to((0.0, 0.0, solid.center)), pose, solid.moments))
+    except DescriptionError:
+        return None
+    volume = math.fsum(part[0] for part in parts)
+    if not 0 < volume < math.inf:
+        return None
+    center = [math.fsum(part[0] * part[1][axis] for part in parts) / volume for axis in range(3)]
+    found = Moments(0.0, 0.0, 0.0)
+    for own, place, pose, moments in parts:
+        x, y, z = (at - middle for at, middle in zip(place, center, strict=True))
+        found = found.plus(pose.turned_moments(moments).moved(1.0, x, y, z).times(own / volume))
+    return found
 
 
 def _placement_in(part: Part, link: Link) -> Origin:
