@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.conversions import urdf
+
 ROBOTS = Path(__file__).parents[1] / "fixtures" / "robots"
 HEAVY = (
     "dataclasses",
@@ -46,6 +48,12 @@ def loaded(*arguments: str) -> str:
 def test_a_clean_file_loads_nothing_heavy_and_no_rule(file: str, output_format: str) -> None:
     report = loaded("lint", "--isolated", "--output-format", output_format, str(ROBOTS / file))
     assert report == "loaded 0"
+
+
+def test_a_robot_of_plain_shapes_loads_no_numpy(tmp_path: Path) -> None:
+    """Also where moments are compared with those of its shapes, axis by axis."""
+    (tmp_path / "arm.urdf").write_text(urdf("arm", 20_000))
+    assert "numpy" not in loaded("lint", "--isolated", str(tmp_path / "arm.urdf")).split()
 
 
 def test_the_probe_sees_a_rule_that_reports(tmp_path: Path) -> None:
