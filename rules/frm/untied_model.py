@@ -56,7 +56,7 @@ def untied(model: Model) -> Iterator[Model]:
     text = model.document.source.text
     ends = {name for joint in model.joints for name in (joint.parent_name, joint.child_name)}
     for each in model.models:
-        is_named = each.name in ends or f"{each.name}::" in text
-        has_sensors = any(link.sensors for link in each.links)
-        if has_sensors and not is_named and not each.may_be_static:
+        if each.may_be_static or not any(link.sensors for link in each.links):
+            continue
+        if each.name not in ends and f"{each.name}::" not in text:
             yield each

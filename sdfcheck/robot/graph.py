@@ -31,7 +31,7 @@ from sdfcheck.robot.naming.name import (
     other_letter,
     without_sides,
 )
-from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, pick
+from sdfcheck.robot.part import Frame, MergedFrame, Namespace, Node, Part, Setting, beside_of, pick
 from sdfcheck.robot.resources import FileUse
 from sdfcheck.robot.shapes import Geometry, Material, Surface, as_array
 from sdfcheck.robot.solids import FITTING, INSIDE, LIGHT, NEAR, SOUND, Moments, Solid, quick_inertia
@@ -1837,6 +1837,7 @@ def _is_lumped(node: Node) -> bool:
 # Plugins.
 
 
+_MOST_PLUGINS = 200
 _CARRIERS = frozenset(("world", "model", "sensor", "visual", "actor"))
 _WHOLE_FILES = frozenset({"gazebo-classic", "gazebo_ros1", "gazebo_ros2"})
 """Generations that look for the file of a plugin as it is written, while gz-sim adds ``lib`` and ``.so``."""
@@ -1954,18 +1955,14 @@ class Plugin(Part):
 
     @property
     def siblings(self) -> tuple[Plugin, ...]:
-        """The plugins beside it, itself included; those of all blocks about the robot in URDF."""
-        if self.holder is None:
-            return (self,)
-        beside = (child for child in self.root.elements.get("plugin", ()) if self._is_beside(child))
-        return tuple(part for child in beside if isinstance(part := self.root.part_of(child), Plugin))
+        """The plugins beside it, itself included; those of all blocks about the same thing in URDF.
 
-    def _is_beside(self, other: Element) -> bool:
-        parent, own = other.parent, self.element.parent
-        if parent is own or parent is None or own is None:
-            return parent is own
-        is_block = parent.name == own.name == "gazebo"
-        return is_block and parent.attributes.get("reference", "") == own.attributes.get("reference", "")
+        Of very many it is alone: each is compared with all others.
+        """
+        beside = self.root.plugins_beside.get(beside_of(self.element), ())
+        if self.holder is None or not 0 < len(beside) <= _MOST_PLUGINS:
+            return (self,)
+        return tuple(part for child in beside if isinstance(part := self.root.part_of(child), Plugin))
 
     @lazy
     def drive(self) -> Drive | None:

@@ -13,7 +13,7 @@ from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.survey import notes, version_of
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.robot.naming.name import MODEL_FRAME, NODES, WORLD_FRAME
-from sdfcheck.robot.values import Flag, Number, Text, Vector, is_true, lazy, reference_of
+from sdfcheck.robot.values import Flag, Number, Text, Vector, grouped, is_true, lazy, reference_of
 from sdfcheck.source.document import Comment
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
@@ -425,6 +425,14 @@ def _is_of_python(document: Document) -> bool:
     return is_of_python(document.path)
 
 
+def beside_of(element: Element) -> object:
+    """The parent of an element, or the name that its block of URDF is about; the same for all that are beside it."""
+    parent = element.parent
+    return (
+        parent.attributes.get("reference", "") if parent is not None and parent.name == "gazebo" else parent
+    )
+
+
 class Whole(Part):
     """One reading of a file: what the parts in it ask of it. The rest is in its :class:`sdfcheck.robot.root.Root`."""
 
@@ -454,6 +462,11 @@ class Whole(Part):
     def is_of_python(self) -> bool:
         """Is it in a project of Python, and in no package of ROS?"""
         return self.document.view(_is_of_python)
+
+    @lazy
+    def plugins_beside(self) -> dict[object, list[Element]]:
+        """Its plugins by what they are in, and those of blocks of URDF by what these are about."""
+        return grouped(self.elements.get("plugin", ()), beside_of)
 
     def class_of(self, holder: Part, element: Element) -> type[Part]:
         """The class of the part that an element in a part makes."""
