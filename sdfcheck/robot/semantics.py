@@ -252,7 +252,7 @@ class Semantics:
                 self.links_of.get(state.attributes.get("group", "").strip()),
             )
             given = {joint.attributes.get("name", "").strip() for joint in state.children("joint")}
-            if value is None or links is None or not given or any(map(is_expression, given)):
+            if value is None or links is None or given <= {ROOT_JOINT} or any(map(is_expression, given)):
                 continue
             joints = (joint for joint in self.robots[0].joints if joint.child_name in links)
             left = [joint.name for joint in joints if joint.name not in given and _is_driven(joint)]
@@ -312,7 +312,8 @@ class Semantics:
     @property
     def unbuilt_groups(self) -> Iterator[tuple[Value, str]]:
         """The groups that MoveIt leaves out although each of their parts is known, and why; of a circle the first."""
-        in_circle = self._group_in_circle
+        is_nested = any(group.has("group") for group in self.groups.values())
+        in_circle = self._group_in_circle if is_nested else None
         for name, group in self.groups.items():
             value = group.attribute("name")
             if value is not None and all(_has_no_joint(part) for part in group.children()):
@@ -322,16 +323,16 @@ class Semantics:
 
     @property
     def _group_in_circle(self) -> str | None:
-        """The first group that is a part of itself, as MoveIt finds it: by building what has all of its parts."""
-        left = {name: self._direct_groups(name) for name in self.groups}
-        while True:
-            built = [name for name, inner in left.items() if not inner & left.keys()]
-            needed = frozenset().union(*left.values())
-            aside = built or [name for name in left if name not in needed]
-            if not aside:
-                return next(iter(left), None)
-            for name in aside:
-                del left[name]
+        """The first group of a circle in which each one is a part of the next."""
+        from graphlib import CycleError, TopologicalSorter
+
+        parts = {name: self._direct_groups(name) for name in self.groups}
+        try:
+            TopologicalSorter(parts).prepare()
+        except CycleError as error:
+            circle = set(error.args[1])
+            return next(name for name in parts if name in circle)
+        return None
 
     def _direct_groups(self, group: str) -> frozenset[str]:
         """The groups that a group names as its parts."""
