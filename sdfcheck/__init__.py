@@ -72,6 +72,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
     from sdfcheck.release import __version__
+    from sdfcheck.robot.controllers import ControllerNeed
     from sdfcheck.robot.graph import (
         Actor,
         Axis,
@@ -151,6 +152,7 @@ _HOMES = {
         "ControlInterface Axis Dynamics Limit Mimic Joint GazeboBlock Include Inertial Link Light "
         "Contact Sensor Collision Shape Visual Actor Gripper Physics State Plugin"
     ),
+    "sdfcheck.robot.controllers": "ControllerNeed",
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
@@ -200,6 +202,7 @@ __all__ = [
     "ControlComponent",
     "ControlInterface",
     "ControlTransmission",
+    "ControllerNeed",
     "Conversion",
     "Custom",
     "DescriptionError",

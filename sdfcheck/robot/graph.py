@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.solid import Skin
     from sdfcheck.formats.plugins import Naming, PluginFacts
+    from sdfcheck.robot.controllers import ControllerNeed
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Triple
@@ -1859,6 +1860,16 @@ class Plugin(Part):
         return self.children()
 
     @lazy
+    def controller_needs(self) -> tuple[ControllerNeed, ...]:
+        """What the controllers in its file of parameters ask of ros2_control."""
+        value = next((each.own_value for each in self.children("parameters")), None)
+        if value is None or "$" in _FOUND.sub("", value.span.text):  # an argument gives another file
+            return ()
+        from sdfcheck.robot.controllers import needs_of
+
+        return needs_of(self.document, value.text.strip())
+
+    @lazy
     def known(self) -> PluginFacts | None:
         """The facts about its library, in the generation that may load it and shares most parameters with it."""
         given = {parameter.name for parameter in self.parameters} if len(self._possible) > 1 else set()
@@ -3231,6 +3242,11 @@ _DRIVING = ("drive", "controller", "steering", "thruster")
 """Words in the names of libraries of Gazebo that move joints."""
 
 
+_FOUND = re.compile(r"\$\(find [^()]*\)")
+_NAMED_IN = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
+"""A name where xacro has not expanded it."""
+
+
 class Model(Scope):
     """A model of SDFormat, or the robot of a URDF file.
 
@@ -3299,6 +3315,49 @@ class Model(Scope):
                 if name:
                     found.setdefault(name, []).append(joint)
         return found
+
+    @property
+    def unmet_needs(self) -> Iterator[tuple[Plugin, ControllerNeed]]:
+        """What controllers ask for and its ``ros2_control`` blocks do not have, where all of these are known.
+
+        A file of parameters may be for several robots: a controller without any joint of this one counts only if there
+        is no other that has one.
+        """
+        if not self.ros2_control or self.document.is_open:
+            return
+        sensors = {
+            each.name for block in self.ros2_control for each in block.components if each.what == "sensor"
+        }
+        for plugin in self.plugins:
+            needs = plugin.controller_needs if "ros2_control" in plugin.filename else ()
+            known = {need.controller for need in needs if need.name in self.control_joints}
+            for need in needs:
+                if need.interface and need.name in self.control_joints:
+                    if not self._may_have(need):
+                        yield plugin, need
+                elif need.what == "sensor":
+                    if sensors and need.name not in sensors:
+                        yield plugin, need
+                elif (
+                    not need.interface and (need.controller in known or not known) and self._lacks(need.name)
+                ):
+                    yield plugin, need
+
+    def _lacks(self, name: str) -> bool:
+        """Has no block a joint of a name, whatever the arguments are?"""
+        is_prefixed = self.document.is_expanded and name.endswith(tuple(filter(None, self.control_joints)))
+        return (
+            name not in self.control_joints
+            and not is_prefixed
+            and not self.document.may_name(_NAMED_IN.format("joint"), name)
+        )
+
+    def _may_have(self, need: ControllerNeed) -> bool:
+        """Has a joint an interface in a block, or could it have one with other arguments?"""
+        all_of = [each for joint in self.control_joints[need.name] for each in joint.interfaces]
+        given = {each.name.removesuffix("_pid") for each in all_of if each.is_command == need.is_command}
+        pattern = _NAMED_IN.format("command_interface" if need.is_command else "state_interface")
+        return need.interface in given or self.document.may_name(pattern, need.interface)
 
     @lazy
     def poses_at_rest(self) -> dict[Link, Origin]:

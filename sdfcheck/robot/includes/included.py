@@ -879,7 +879,7 @@ def _size(document: Document, known: dict[Document, _Size], chain: tuple[Documen
     return size
 
 
-# What is wrong with the parameters and placement of includes. Problems of an included file are reported in that file.
+# Problems of the parameters and placement of includes. Those of an included file are reported in that file.
 
 
 def problems(document: Document) -> Iterator[object]:
