@@ -129,6 +129,17 @@ def test_an_undeclared_prefix_is_no_reason(tmp_path: Path) -> None:
     assert judged(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
 
 
+def test_what_a_call_without_its_prefix_would_bring_is_no_reason(tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="moments">'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></xacro:macro>'
+        f'<link name="a"/><link name="b">{INERTIAL.replace("</inertial>", "<{}moments/></inertial>")}</link>'
+        '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
+    )
+    assert judged(text.format("xacro:"), "r.urdf.xacro", tmp_path, Consumer.MUJOCO) == {"mujoco": "reject"}
+    assert judged(text.format(""), "r.urdf.xacro", tmp_path, Consumer.MUJOCO) == {"mujoco": "warn"}
+
+
 def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
     text = '<sdf version="1.9"><world name="w"/></sdf>'
     assert judged(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
