@@ -71,7 +71,7 @@ class AbsolutePath(Rule):
         Good(MESH.format("file://meshes/arm.dae"), why="relative anyway"),
         Good(MESH.format("model://arm/arm.dae")),
         Good(
-            '<plugin name="p" filename="/opt/ros/jazzy/lib/libp.so"/>',
+            '<plugin name="p" filename="/usr/lib/libp.so"/>',
             scaffold=IN_MODEL,
             why="where packages are installed",
         ),

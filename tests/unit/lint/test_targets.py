@@ -129,7 +129,7 @@ def test_an_undeclared_prefix_is_no_reason(tmp_path: Path) -> None:
     assert judged(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
 
 
-def test_what_a_call_without_its_prefix_would_bring_is_no_reason(tmp_path: Path) -> None:
+def test_a_call_without_prefix_brings_no_reasons(tmp_path: Path) -> None:
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="moments">'
         '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></xacro:macro>'
