@@ -14,7 +14,7 @@ from sdfcheck import (
     Rule,
     Severity,
 )
-from sdfcheck_rules.res.places import descriptions, looked_for, near_model, write_model
+from sdfcheck_rules.res.places import descriptions, looked_for, near_model, place, write_model
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
@@ -25,7 +25,8 @@ class UnresolvedInclude(Rule):
 
     libsdformat refuses the document. A file of another computer is a warning: a `model://`, or a bare name,
     that no folder near by nor any on the search path has (set `model-paths` in the configuration), and a path from
-    the root of the file system. Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
+    the root of the file system. So is a folder without content, as that of a submodule that is not checked out.
+    Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
     is ever fetched. A folder needs a `model.config` that says which of its files is the model.
     """
 
@@ -117,8 +118,11 @@ class UnresolvedInclude(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         alike: dict[object, list[Include]] = {}
+        empty: dict[str, list[Include]] = {}
         for include in root.includes:
-            if include.needs_config:
+            if (include.needs_config or include.is_missing) and (folder := submodule(include)):
+                empty.setdefault(folder, []).append(include)
+            elif include.needs_config:
                 yield from self.folder(include)
             elif include.is_missing:
                 # A part that is missing for a reason outside of the file is reported once.
@@ -126,6 +130,8 @@ class UnresolvedInclude(Rule):
                 alike.setdefault(include.uri if is_outside else include, []).append(include)
         for includes in alike.values():
             yield from self.missing(includes)
+        for folder, includes in empty.items():
+            yield self.unfetched(place(root.document, folder), includes)
 
     def folder(self, include: Include) -> Iterator[Diagnostic]:
         text, value, location = include.uri, include.uri_value, include.location
@@ -152,6 +158,19 @@ class UnresolvedInclude(Rule):
             severity = Severity.WARNING if include.is_absolute else self.severity
             yield self.diagnostic(value, message, help=looked_for(include), severity=severity)
 
+    def unfetched(self, name: str, includes: list[Include]) -> Diagnostic:
+        """The finding about a folder without content."""
+        count = len(includes)
+        message = f"folder `{name}` is empty: it may be a submodule that is not checked out"
+        return self.diagnostic(
+            includes[0].uri_value or includes[0],
+            f"{message} ({count} includes)" if count > 1 else message,
+            severity=Severity.WARNING,
+            help=f"{looked_for(includes[0])}; fetch it with `git submodule update --init`",
+            affects=ELSEWHERE,
+            missing=Missing(MissingKind.SUBMODULE, name, count),
+        )
+
     def elsewhere(self, includes: list[Include]) -> Diagnostic:
         """The finding about a model that another computer may have."""
         include, count = includes[0], len(includes)
@@ -175,3 +194,11 @@ class UnresolvedInclude(Rule):
             affects=ELSEWHERE,
             missing=None if meant else Missing(MissingKind(kind), name, count),
         )
+
+
+def submodule(include: Include) -> str:
+    """The folder without content that it leads into."""
+    location = include.location
+    if location is None or (location.is_searched_for and location.owner is None):
+        return ""
+    return include.empty_folder
