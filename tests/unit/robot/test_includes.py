@@ -109,7 +109,8 @@ def test_the_folder_of_a_submodule_is_missing_once(tmp_path: Path, inside: str) 
 
 
 def test_a_missing_mass_is_said_once_where_it_has_a_unit() -> None:
-    text = '<sdf version="1.9"><model name="m"><link name="l"><inertial><mass_kg>1</mass_kg></inertial></link></model></sdf>'
+    link = '<link name="l"><inertial><mass_kg>1</mass_kg></inertial></link>'
+    text = f'<sdf version="1.9"><model name="m">{link}</model></sdf>'
     run = sdfcheck.lint(text, name="m.sdf", isolated=True)
     assert [each.code for each in run.diagnostics] == ["NS002"]
 
