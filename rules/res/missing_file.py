@@ -20,7 +20,7 @@ from sdfcheck import (
     write_instead,
 )
 from sdfcheck_rules.res.absences import Absences, reactions
-from sdfcheck_rules.res.places import looked_for, near_file, place
+from sdfcheck_rules.res.places import looked_for, names_file, near_file, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -85,6 +85,12 @@ class MissingFile(Rule):
             files={"package.xml": "<package><name>arm_description</name></package>", "meshes/a.stl": ""},
             says="package `lost` is not on the search path, and `arm_description` has what is asked of it",
         ),
+        Bad(
+            '<visual><geometry><mesh filename="«package://arm.stl»"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+            files={"meshes/arm.stl": ""},
+            says="`package://arm.stl` names a file and no package",
+        ),
     )
     good = (
         Good(MESH.format("meshes/arm.dae"), files={"meshes/arm.dae": ""}),
@@ -115,6 +121,10 @@ class MissingFile(Rule):
             setting = "model-paths" if location.scheme == "model" else "package-paths"
             advice = f"; set `{setting}` in the configuration if it is elsewhere"
             message = f"{location.scheme} `{location.name}` is not on the search path"
+            if names_file(location.name):
+                message = f"`{uses[0].uri}` names a file and no {location.scheme}"
+                yield self.together(uses, message, f"; write `{location.scheme}://NAME/{location.name}`")
+                continue
             meant = {resource.meant_package for resource in uses}
             if len(meant) == 1 and (own := meant.pop()) is not None:
                 yield self.together(uses, f"{message}, and `{own}` has what is asked of it")
