@@ -19,8 +19,8 @@ from sdfcheck import (
     used,
     write_instead,
 )
-from sdfcheck_rules.res.absences import Absences, reactions
-from sdfcheck_rules.res.places import looked_for, names_file, near_file, place
+from sdfcheck_rules.res.absences import Absences, elsewhere, reactions
+from sdfcheck_rules.res.places import looked_for, near_file, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 
@@ -116,22 +116,8 @@ class MissingFile(Rule):
         for uses in absences.files.values():
             yield self.file(uses)
         for uses in absences.owners.values():
-            location = uses[0].location
-            assert location is not None, "what is missing was looked for"
-            setting = "model-paths" if location.scheme == "model" else "package-paths"
-            advice = f"; set `{setting}` in the configuration if it is elsewhere"
-            message = f"{location.scheme} `{location.name}` is not on the search path"
-            if names_file(location.name):
-                message = f"`{uses[0].uri}` names a file and no {location.scheme}"
-                yield self.together(uses, message, f"; write `{location.scheme}://NAME/{location.name}`")
-                continue
-            meant = {resource.meant_package for resource in uses}
-            if len(meant) == 1 and (own := meant.pop()) is not None:
-                yield self.together(uses, f"{message}, and `{own}` has what is asked of it")
-                continue
-            yield self.together(uses, message, advice)._replace(
-                missing=Missing(MissingKind(location.scheme), location.name, len(uses))
-            )
+            message, advice, missing = elsewhere(uses)
+            yield self.together(uses, message, advice)._replace(missing=missing)
         for folder, uses in absences.submodules.items():
             name = place(part.document, folder)
             message = f"folder `{name}` is empty: it may be a submodule that is not checked out"
