@@ -140,6 +140,11 @@ def test_a_call_without_prefix_brings_no_reasons(tmp_path: Path) -> None:
     assert judged(text.format(""), "r.urdf.xacro", tmp_path, Consumer.MUJOCO) == {"mujoco": "warn"}
 
 
+@pytest.mark.parametrize(("text", "verdict"), [("<robot/>", "reject"), ('<robot name="r"/>', "accept")])
+def test_drake_wants_a_name_of_an_empty_robot(tmp_path: Path, text: str, verdict: str) -> None:
+    assert judged(text, "r.urdf", tmp_path, Consumer.DRAKE) == {"drake": verdict}
+
+
 def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
     text = '<sdf version="1.9"><world name="w"/></sdf>'
     assert judged(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
