@@ -1,6 +1,20 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, IN_VISUAL, Bad, Diagnostic, GazeboBlock, Good, Material, Rule, Severity, Value
+from sdfcheck import (
+    IN_ROBOT,
+    IN_VISUAL,
+    Bad,
+    Diagnostic,
+    GazeboBlock,
+    Good,
+    Material,
+    Root,
+    Rule,
+    Severity,
+    Value,
+    used,
+    write_instead,
+)
 
 PREFIX = "Gazebo/"
 COLORS = frozenset(
@@ -25,9 +39,10 @@ SCRIPT = (
 
 
 class UnknownPaletteColor(Rule):
-    """The name of a material is nearly, but not quite, one of the palette of Gazebo.
+    """The name of a material is not one of the palette of Gazebo.
 
-    Case counts, and it is `Grey`, not `Gray`. Gazebo shows the default color in its place.
+    Case counts, and it is `Grey`, not `Gray`. Gazebo shows the default color in its place. Names that begin otherwise
+    than `Gazebo/`, or are of another script, are somebody's own.
     """
 
     code = "GAZ010"
@@ -38,7 +53,7 @@ class UnknownPaletteColor(Rule):
     A color that every release shows is written out: `<ambient>` and `<diffuse>` in SDFormat, the
     `<color rgba="…"/>` of a `<material>` in URDF.
     """
-    looks_at = (GazeboBlock, Material)
+    looks_at = (Root,)
     needs = ("<script", "<gazebo")
     scaffold = IN_ROBOT
 
@@ -55,6 +70,13 @@ class UnknownPaletteColor(Rule):
             unsafe=True,
         ),
         Bad(
+            '<gazebo reference="base"><material>«Gazebo/Silver»</material></gazebo>'
+            '<gazebo reference="tip"><material>Gazebo/Silver</material></gazebo>',
+            scaffold='<robot name="r"><link name="base"/><link name="tip"/><joint name="j" type="fixed">'
+            '<parent link="base"/><child link="tip"/></joint>{}</robot>',
+            says="no material of Gazebo is called `Gazebo/Silver` (used 2 times): it shows its default color",
+        ),
+        Bad(
             SCRIPT.format("«Gazebo/Gray»"),
             scaffold=IN_VISUAL,
             fixed=SCRIPT.format("Gazebo/Grey"),
@@ -63,10 +85,7 @@ class UnknownPaletteColor(Rule):
     )
     good = (
         Good('<gazebo reference="base"><material>Gazebo/Grey</material></gazebo>'),
-        Good(
-            '<gazebo reference="base"><material>Gazebo/MyOwnPaint</material></gazebo>',
-            why="like none of them",
-        ),
+        Good('<gazebo reference="base"><material>My/OwnPaint</material></gazebo>'),
         Good(
             SCRIPT.format("Gazebo/Gray").replace(
                 "file://media/materials/scripts/gazebo.material", "model://m/own"
@@ -77,26 +96,29 @@ class UnknownPaletteColor(Rule):
     )
 
     @staticmethod
-    def applies(part: GazeboBlock | Material) -> bool:
-        return any(strange(part))
+    def applies(root: Root) -> bool:
+        return any(True for _ in strange(root))
 
-    def check(self, part: GazeboBlock | Material) -> Iterator[Diagnostic]:
-        for value in strange(part):
-            name = value.text.strip()
-            meant = part.nearest(name[len(PREFIX) :], COLORS)
-            if meant is not None:
-                message = f"no material of Gazebo is called `{name}`"
-                yield self.diagnostic(value, message, meant=PREFIX + meant)
+    def check(self, root: Root) -> Iterator[Diagnostic]:
+        by_name: dict[str, list[Value]] = {}
+        for value in strange(root):
+            by_name.setdefault(value.text.strip(), []).append(value)
+        for name, values in by_name.items():
+            near = root.nearest(name[len(PREFIX) :], COLORS)
+            meant = None if near is None else PREFIX + near
+            rest = "" if meant else ": it shows its default color"
+            message = f"no material of Gazebo is called `{name}`{used(len(values))}{rest}"
+            yield self.diagnostic(values[0], message, meant=meant, fix=write_instead(meant, *values))
 
 
-def strange(part: GazeboBlock | Material) -> Iterator[Value]:
+def strange(root: Root) -> Iterator[Value]:
     """The names that begin as those of the palette do, and are not in it."""
-    for value in written(part):
-        name = value.text.strip()
-        if name[: len(PREFIX)].lower() == PREFIX.lower() and "$" not in name:
-            color = name[len(PREFIX) :]
-            is_near = color not in COLORS and part.nearest(color, COLORS) is not None
-            if is_near or (color in COLORS and not name.startswith(PREFIX)):
+    parts: list[GazeboBlock | Material] = [*root.each(GazeboBlock), *root.each(Material)]
+    for part in parts:
+        for value in written(part):
+            name = value.text.strip()
+            is_known = name.startswith(PREFIX) and name[len(PREFIX) :] in COLORS
+            if name[: len(PREFIX)].lower() == PREFIX.lower() and "$" not in name and not is_known:
                 yield value
 
 

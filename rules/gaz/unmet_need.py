@@ -28,9 +28,9 @@ WIND = (
 )
 ROVER = (
     '<model name="m"><link name="l"><collision name="c"><geometry><sphere><radius>0.1</radius></sphere></geometry>'
-    '</collision></link><link name="w"/><link name="v"/><joint name="j" type="continuous"><parent>l</parent>'
+    '</collision></link><link name="w"/><link name="v"/><joint name="j" type="revolute"><parent>l</parent>'
     "<child>w</child><axis><xyz>0 1 0</xyz></axis></joint>"
-    '<joint name="k" type="continuous"><parent>l</parent><child>v</child><axis><xyz>0 1 0</xyz></axis></joint>'
+    '<joint name="k" type="revolute"><parent>l</parent><child>v</child><axis><xyz>0 1 0</xyz></axis></joint>'
     '<{} filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"><left_joint>j</left_joint>'
     "<right_joint>k</right_joint></plugin></model>"
 )

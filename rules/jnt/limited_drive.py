@@ -14,7 +14,7 @@ ENOUGH = 100.0
 UNTURNED = frozenset(("fixed", "prismatic"))
 DRIVEN = """<sdf version="1.12"><model name="m"><link name="base"/><link name="l"/><link name="r"/>
 <joint name="left" type="{}"><parent>base</parent><child>l</child>{}</joint>
-<joint name="right" type="continuous"><parent>base</parent><child>r</child><axis><xyz>0 1 0</xyz></axis></joint>
+<joint name="right" type="revolute"><parent>base</parent><child>r</child><axis><xyz>0 1 0</xyz></axis></joint>
 <plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"><left_joint>{}</left_joint>
 <right_joint>right</right_joint></plugin></model></sdf>"""
 ROBOT = (

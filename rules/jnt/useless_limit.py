@@ -24,8 +24,8 @@ class UselessLimit(Rule):
     severity = Severity.WARNING
     remedy = """Make the joint revolute, or leave its `lower` and `upper` out.
 
-    A revolute joint takes both in radians. A wheel or a propeller turns without end: keep it continuous
-    with `effort` and `velocity` only.
+    A revolute joint takes both in radians. A wheel or a propeller of URDF turns without end: keep it continuous with
+    `effort` and `velocity` only. In SDFormat, a revolute joint without limits does.
     """
     looks_at = (Limit,)
     scaffold = IN_MODEL
@@ -35,6 +35,7 @@ class UselessLimit(Rule):
             f'<link name="arm"/><joint name="j" type="continuous">{_ENDS}<axis><xyz>0 0 1</xyz>'
             "<limit><lower>«-1»</lower><upper>1</upper></limit></axis></joint>",
             says="joint `j` of type continuous has no use for the limit -1",
+            also=("GAZ039",),
         ),
         Bad(
             f'<link name="arm"/><joint name="j" type="continuous">{_URDF_ENDS}<axis xyz="0 0 1"/>'

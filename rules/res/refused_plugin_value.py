@@ -3,7 +3,7 @@ from collections.abc import Iterator
 from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, named
 
 MOTOR = (
-    '<link name="w"/><joint name="j" type="continuous"><parent>base</parent><child>w</child>'
+    '<link name="w"/><joint name="j" type="revolute"><parent>base</parent><child>w</child>'
     "<axis><xyz>0 0 1</xyz></axis></joint>"
     '<plugin name="gz::sim::systems::MulticopterMotorModel" filename="gz-sim-multicopter-motor-model-system">'
     "<jointName>j</jointName><linkName>w</linkName><actuator_number>0</actuator_number>"

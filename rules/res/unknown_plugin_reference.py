@@ -7,7 +7,7 @@ DRIVE = (
     "<left_joint>{}</left_joint><right_joint>wheel</right_joint></plugin>"
 )
 WHEEL = (
-    '<link name="w"/><joint name="wheel" type="continuous"><parent>base</parent><child>w</child>'
+    '<link name="w"/><joint name="wheel" type="revolute"><parent>base</parent><child>w</child>'
     "<axis><xyz>0 1 0</xyz></axis></joint>"
 )
 ROS_DRIVE = (

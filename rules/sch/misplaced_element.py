@@ -54,6 +54,10 @@ class MisplacedElement(Rule):
             '<«joint» name="i" type="ball"/><joint name="j" type="ball"/>',
             says="`joint` (used 2 times) does not belong in link `base`; it goes into",
         ),
+        Bad(
+            '<sensor name="s" type="camera"><camera><noise><«precision»>2</precision></noise></camera></sensor>',
+            says="`precision` does not belong in `noise` of `camera`, but in that of other elements",
+        ),
         Bad("<«wrench»>0 0 0 0 0 0</wrench>", says="it goes into `link_state`"),
         Bad(
             "<«laser_retro»>0</laser_retro><max_contacts>4</max_contacts><geometry/>",
@@ -160,6 +164,9 @@ def misplaced(problem: problems.MisplacedElement) -> str:
     message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {problem.parent.title}"
     if problem.suggestion is not None:
         return f"{message}; did you mean `{problem.suggestion}`?"
+    around = problem.parent.parent
+    if problem.places == (problem.parent.name,) and around is not None:
+        return f"{message} of {around.title}, but in that of other elements"
     return f"{message}; {they} {go} into {named(problem.places, 'or', most=SHOWN)}"
 
 

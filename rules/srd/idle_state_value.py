@@ -1,20 +1,11 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity
-from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF, ROBOT
+from sdfcheck_rules.srd.scaffold import FILE, GRIPPER, IN_SRDF, ROBOT
 
 STATE = '<group_state name="home" group="{}"><joint name="{}" value="0"/></group_state>'
 TOOL = '<group name="tool"><link name="hand"/></group>'
 
-FINGER = (
-    '<link name="{0}_tip"/><joint name="{0}" type="prismatic"><parent link="hand"/><child link="{0}_tip"/>'
-    '<limit lower="0" upper="0.04" effort="5" velocity="1"/>{1}</joint>'
-)
-GRIPPER = ROBOT | {
-    "arm.urdf": ROBOT["arm.urdf"].replace(
-        "</robot>", FINGER.format("left", "") + FINGER.format("right", '<mimic joint="left"/>') + "</robot>"
-    )
-}
 FOLLOWED = (
     '<group name="tool"><joint name="left"/><joint name="right"/></group><group_state name="open" group="tool">'
     '<joint name="left" value="0.04"/><joint name="right" value="{}"/></group_state>'

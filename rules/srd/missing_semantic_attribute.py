@@ -7,7 +7,7 @@ from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 class MissingSemanticAttribute(Rule):
     """An element of SRDF lacks an attribute that it needs.
 
-    MoveIt drops the element with a message at start.
+    MoveIt drops the element with a message at start. So it does with a virtual joint of which `parent_frame` is empty.
     """
 
     code = "SRD003"
@@ -23,6 +23,11 @@ class MissingSemanticAttribute(Rule):
             '<group_state name="home" group="all"><«joint» name="shoulder"/></group_state>',
             file=FILE,
             says="joint `shoulder` has no `value`",
+        ),
+        Bad(
+            '<«virtual_joint» name="v" type="fixed" parent_frame="" child_link="base"/>',
+            file=FILE,
+            says="virtual_joint `v` has no `parent_frame`",
         ),
     )
     good = (

@@ -10,3 +10,12 @@ ROBOT = {
 }
 GROUP = '<group name="all"><joint name="shoulder"/><link name="base"/><link name="upper"/></group>'
 IN_SRDF = f'<robot name="arm">{GROUP}{{}}</robot>'
+FINGER = (
+    '<link name="{0}_tip"/><joint name="{0}" type="prismatic"><parent link="hand"/><child link="{0}_tip"/>'
+    '<limit lower="0" upper="0.04" effort="5" velocity="1"/>{1}</joint>'
+)
+GRIPPER = ROBOT | {
+    "arm.urdf": ROBOT["arm.urdf"].replace(
+        "</robot>", FINGER.format("left", "") + FINGER.format("right", '<mimic joint="left"/>') + "</robot>"
+    )
+}

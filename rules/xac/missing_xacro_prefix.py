@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, TextEdit, make_fix, problems, used
+from sdfcheck import (
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Rule,
+    Severity,
+    TextEdit,
+    make_fix,
+    problems,
+    refuses,
+    used,
+)
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import SHOWN
 
@@ -77,4 +89,7 @@ class MissingXacroPrefix(Rule):
             f"`{name}` without the prefix `xacro:` is left as it is{used(1 + len(problem.others))}",
             labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
             fix=fix,
+            affects=dict.fromkeys(Consumer, refuses("gets no robot description"))
+            if problem.is_fatal
+            else None,
         )

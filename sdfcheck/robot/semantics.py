@@ -49,6 +49,15 @@ _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A link or joint in a branch of xacro that the arguments do not take."""
 
 
+_PROPERTIES = {
+    "angular_distance_weight": ("planar", "floating"),
+    "min_translational_distance": ("planar",),
+    "motion_model": ("planar",),
+}
+"""What MoveIt reads of a joint beside URDF → the types of joints that have it."""
+_MOTION_MODELS = ("holonomic", "diff_drive")
+
+
 class NamedPart(NamedTuple):
     """A name of a link or joint of the robot, or of a group, with its place."""
 
@@ -125,8 +134,7 @@ class Semantics:
         while waiting:
             name = waiting.pop()
             yield name
-            inner = (each.attributes.get("name", "").strip() for each in self.groups[name].children("group"))
-            new = {each for each in inner if each in self.groups} - seen
+            new = self._direct_groups(name) - seen
             waiting += new
             seen |= new
 
@@ -236,6 +244,22 @@ class Semantics:
                 yield value, "fixed"
 
     @property
+    def partial_states(self) -> Iterator[tuple[Value, Sequence[str]]]:
+        """The names of states that say nothing of some joints that their group moves, and these."""
+        for state in self.element.children("group_state"):
+            value, links = (
+                state.attribute("name"),
+                self.links_of.get(state.attributes.get("group", "").strip()),
+            )
+            given = {joint.attributes.get("name", "").strip() for joint in state.children("joint")}
+            if value is None or links is None or given <= {ROOT_JOINT} or any(map(is_expression, given)):
+                continue
+            joints = (joint for joint in self.robots[0].joints if joint.child_name in links)
+            left = [joint.name for joint in joints if joint.name not in given and _is_driven(joint)]
+            if left:
+                yield value, left
+
+    @property
     def unfollowed(self) -> Iterator[tuple[StateValue, str, float]]:
         """The values of joints that follow others, with the leader, and where its value in the state takes them."""
         given = {
@@ -260,11 +284,68 @@ class Semantics:
                 yield value
 
     @property
+    def refused_properties(self) -> Iterator[tuple[Value, Collection[str]]]:
+        """What MoveIt does not take of the properties of joints, and what it could be instead."""
+        for each in self.element.children("joint_property"):
+            joint, name, value = map(each.attribute, ("joint_name", "property_name", "value"))
+            if (
+                joint is None
+                or name is None
+                or value is None
+                or any(map(is_expression, each.attributes.values()))
+            ):
+                continue
+            types = _PROPERTIES.get(name.text.strip(), ())
+            is_model = name.text.strip() == "motion_model"
+            if not types:
+                yield name, _PROPERTIES
+            elif (kind := self._type_of(joint.text.strip())) and kind not in types:
+                yield joint, types
+            elif value.text not in _MOTION_MODELS if is_model else not _is_number(value.text):
+                yield value, _MOTION_MODELS if is_model else ("a number",)
+
+    def _type_of(self, joint: str) -> str:
+        """The type of a joint, of the robot or its own; empty where that is not certain."""
+        types = {robot.joints_by_name[joint].type for robot in self.robots if joint in robot.joints_by_name}
+        return self.virtual_joints.get(joint, "") or (types.pop() if len(types) == 1 else "")
+
+    @property
+    def unbuilt_groups(self) -> Iterator[tuple[Value, str]]:
+        """The groups that MoveIt leaves out although each of their parts is known, and why; of a circle the first."""
+        is_nested = any(group.has("group") for group in self.groups.values())
+        in_circle = self._group_in_circle if is_nested else None
+        for name, group in self.groups.items():
+            value = group.attribute("name")
+            if value is not None and all(_has_no_joint(part) for part in group.children()):
+                yield value, "has no joints"
+            elif value is not None and name == in_circle:
+                yield value, "is a part of itself"
+
+    @property
+    def _group_in_circle(self) -> str | None:
+        """The first group of a circle in which each one is a part of the next."""
+        from graphlib import CycleError, TopologicalSorter
+
+        parts = {name: self._direct_groups(name) for name in self.groups}
+        try:
+            TopologicalSorter(parts).prepare()
+        except CycleError as error:
+            circle = set(error.args[1])
+            return next(name for name in parts if name in circle)
+        return None
+
+    def _direct_groups(self, group: str) -> frozenset[str]:
+        """The groups that a group names as its parts."""
+        inner = (each.attributes.get("name", "").strip() for each in self.groups[group].children("group"))
+        return frozenset(each for each in inner if each in self.groups)
+
+    @property
     def lacking(self) -> Iterator[tuple[Element, str]]:
-        """The elements without an attribute that they need."""
+        """The elements without an attribute that they need, or with an empty one where MoveIt asks for a text."""
         for part, definition in self.parts:
             for name in definition.required_attributes:
-                if part.attribute(name) is None:
+                value = part.attribute(name)
+                if value is None or (name == "parent_frame" and not value.text):
                     yield part, name
 
     @lazy
@@ -414,6 +495,11 @@ def _rests_at_zero(link: Link) -> bool:
     return low <= 0 <= high
 
 
+def _is_driven(joint: Joint) -> bool:
+    """Does it move, and follow no other joint?"""
+    return joint.type != "fixed" and not (joint.axis_count == 1 and joint.axis.mimic is not None)
+
+
 def _parent(link: Link) -> Link | None:
     return link.parent_joints[0].parent_link if link.parent_joints else None
 
@@ -431,6 +517,12 @@ def _own_links(group: Element, robot: Model, above: Mapping[str, str]) -> Iterat
         elif part.name == "chain":
             tip, base = (part.attributes.get(end, "").strip() for end in ("tip_link", "base_link"))
             yield from set(_way_up(tip, above)).symmetric_difference(_way_up(base, above))
+
+
+def _has_no_joint(part: Element) -> bool:
+    """Is a part of a group a chain from a link to itself?"""
+    ends = [part.attributes.get(end, "").strip() for end in ("base_link", "tip_link")]
+    return part.name == "chain" and bool(ends[0]) and ends[0] == ends[1] and not is_expression(ends[0])
 
 
 def _way_up(link: str, above: Mapping[str, str]) -> Iterator[str]:

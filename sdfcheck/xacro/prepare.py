@@ -127,6 +127,10 @@ def prepare(
         for index, arguments in enumerate(sets)
         if misread or goes_on(expansions[index])
     }
+    if misread and any(
+        _fails_for_prefix(document, expander, *pair) for pair in zip(sets, parts.values(), strict=True)
+    ):
+        found = [each.changed(is_fatal=True) if type(each) is MissingXacroPrefix else each for each in found]
     shown = tuple(part.document for part in parts.values() if part.document is not None)
     for part in shown:
         part.library = document.library
@@ -160,6 +164,17 @@ def _holds_template(document: ExpandedDocument) -> bool:
 
 def _is_template(source: Source) -> bool:
     return source.path.suffix == TEMPLATE
+
+
+def _fails_for_prefix(
+    document: Document, expander: Expander, arguments: Mapping[str, str], part: Expansion
+) -> bool:
+    """Does xacro fail for what lacks its prefix? ``part``: the expansion as if it had it."""
+    whole = expand_as_launched(document, expander.expand, arguments)
+    known = {(type(each), each.span.source.path, each.span.start) for each in part.problems}
+    return whole.document is None and any(
+        (type(each), each.span.source.path, each.span.start) not in known for each in whole.problems
+    )
 
 
 def goes_on(expansion: Expansion) -> bool:

@@ -272,12 +272,16 @@ class IgnoredIncludeContent(Record):
 
 
 class MissingXacroPrefix(Record):
-    """Elements of one name that are xacro's but for the prefix: the first, the others, and where it goes."""
+    """Elements of one name that are xacro's but for the prefix: the first, the others, and where it goes.
+
+    ``is_fatal``: xacro fails, for something asks for what they should have defined.
+    """
 
     span: Span
     name: str
     others: tuple[Span, ...]
     edits: tuple[Span, ...]
+    is_fatal: bool = False
 
 
 class UnusedProperty(Record):

@@ -432,6 +432,22 @@ def test_paper_has_the_picture(tab: chromium.Tab, tmp_path: Path) -> None:
     assert tab.page.locator("#stage img").count() == 0
 
 
+def test_the_panel_follows_the_width_until_somebody_folds_it(tab: chromium.Tab, tmp_path: Path) -> None:
+    def is_open(width: int) -> bool:
+        tab.page.set_viewport_size({"width": width, "height": 600})
+        tab.run("new Promise(requestAnimationFrame)")
+        return bool(tab.page.is_visible("#panel"))
+
+    tab.page.set_viewport_size({"width": 600, "height": 600})
+    show(tab, tmp_path, ROVER)
+    assert (is_open(600), is_open(1280), is_open(600)) == (False, True, False)
+    tab.page.click("#fold")
+    assert (is_open(600), is_open(1280)) == (True, True)
+    tab.page.click("#fold")
+    assert (is_open(600), is_open(1280)) == (False, False)
+    tab.page.set_viewport_size({"width": 1280, "height": 800})
+
+
 @pytest.mark.skipif(chromium.missing_axe() is not None, reason=chromium.missing_axe() or "")
 @pytest.mark.parametrize(("width", "height"), [(1400, 900), (800, 600)])
 @pytest.mark.parametrize("colors", ["light", "dark"])

@@ -699,17 +699,23 @@ function print(stage: Stage): void {
   addEventListener("afterprint", () => picture?.remove());
 }
 
-/** Lets the panel be folded; where there is little room, it is at first. */
+/** Lets the panel be folded; until somebody chooses, it is where there is little room, also in a frame that gets its size later. */
 function fold(button: HTMLButtonElement): void {
+  const wide = matchMedia(`(min-width: ${ROOM}px)`);
   const set = (isOpen: boolean): void => {
     document.body.classList.toggle("folded", !isOpen);
     button.setAttribute("aria-expanded", String(isOpen));
   };
-  button.addEventListener("click", () => set(document.body.classList.contains("folded")));
-  set(innerWidth > NARROW);
+  const fit = (): void => set(wide.matches);
+  button.addEventListener("click", () => {
+    wide.removeEventListener("change", fit);
+    set(document.body.classList.contains("folded"));
+  });
+  wide.addEventListener("change", fit);
+  fit();
 }
 
-const NARROW = 820; // pixels
+const ROOM = 821; // pixels, from which the panel fits beside the picture
 
 async function start(page: Page): Promise<void> {
   fold(document.getElementById("fold") as HTMLButtonElement);

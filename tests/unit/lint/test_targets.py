@@ -145,6 +145,26 @@ def test_drake_wants_a_name_of_an_empty_robot(tmp_path: Path, text: str, verdict
     assert judged(text, "r.urdf", tmp_path, Consumer.DRAKE) == {"drake": verdict}
 
 
+@pytest.mark.parametrize(
+    ("definition", "verdict"),
+    [
+        ('<xacro:macro name="leg" params="n"><link name="${n}"/></xacro:macro><xacro:leg n="a"/>', "accept"),
+        ('<macro name="leg" params="n"><link name="${n}"/></macro><xacro:leg n="a"/>', "reject"),
+        ('<macro name="leg" params="n"/><link name="a"/>', "warn"),
+        (
+            '<macro name="leg" params="n"/><xacro:include filename="$(find nowhere)/a.xacro"/><link name="a"/>',
+            "warn",
+        ),
+    ],
+    ids=["with prefix", "called", "not called", "package that is not here"],
+)
+def test_a_missing_prefix_of_xacro_stops_what_asks_for_it(
+    definition: str, verdict: str, tmp_path: Path
+) -> None:
+    text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{definition}</robot>'
+    assert judged(text, "r.urdf.xacro", tmp_path, Consumer.URDFDOM) == {"urdfdom": verdict}
+
+
 def test_drake_goes_by_the_name_of_the_file(tmp_path: Path) -> None:
     text = '<sdf version="1.9"><world name="w"/></sdf>'
     assert judged(text, "w.world", tmp_path, Consumer.DRAKE, Consumer.GAZEBO) == {
