@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck_rules.inr.moments import joints_to_world
 
 LEG = (
     '<link name="body"><inertial><mass>2</mass></inertial></link>{}<link name="leg"><inertial><mass>1</mass>'
@@ -84,7 +85,7 @@ def has_shape(link: Link) -> bool:
 
 def is_between_joints(link: Link) -> bool:
     """Does a joint move it, and another one what hangs on it?"""
-    moving = [joint for joint in link.model.joints if joint.moves] if link.name else []
-    return any(joint.child_link is link for joint in moving) and any(
-        joint.parent_link is link for joint in moving
-    )
+    if not any(joint.moves for joint in link.child_joints):
+        return False
+    holding = link.parent_joints or joints_to_world(link)
+    return any(joint.moves for joint in holding)

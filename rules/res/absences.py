@@ -46,7 +46,7 @@ class Absences:
 
 
 def elsewhere(uses: Sequence[Resource]) -> tuple[str, str, Missing | None]:
-    """What is said of a model or package that is not found, what to do, and what another computer may have."""
+    """The message about a model or package that is not found, the advice, and what another computer may have."""
     location = uses[0].location
     assert location is not None, "what is missing was looked for"
     if names_file(location.name):

@@ -9,7 +9,7 @@ from sdfcheck_rules.res.places import looked_for, near_model, place
 
 
 class Absence(NamedTuple):
-    """What is missing, and what to do; ``meant`` is the model that the name is a misspelling of."""
+    """A model that is missing, and the advice; ``meant`` is the one that its name is a misspelling of."""
 
     kind: MissingKind
     name: str

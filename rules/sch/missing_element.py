@@ -152,9 +152,9 @@ class MissingElement(Rule):
             fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
         if problem.refused:
             affects, labels = lacking(problem.element, problem.child), other_end(problem)
-            severity = None
-            if is_placeholder(problem.element):
-                severity, affects = Severity.WARNING, {**affects, Consumer.DRAKE: refuses("wants a name")}
+            severity = Severity.WARNING if is_placeholder(problem.element) else None
+            if severity is not None:
+                affects = {**affects, Consumer.DRAKE: refuses("wants a name")}
             yield self.diagnostic(place, message, severity=severity, fix=fix, affects=affects, labels=labels)
             return
         if problem.default is not None:
