@@ -22,6 +22,12 @@ _BUILT = ("install", "devel", "build")
 _INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _REMARK = re.compile(r"#[^\n]*")
+_GATHERED = re.compile(
+    r"foreach|GLOB|\$\{CMAKE_CURRENT_SOURCE_DIR\}/?[\s\")]|DIRECTORY\s+\"?[.$]|INSTALL_TO_SHARE\s+\.|\bwalk\b|\*\*|listdir|"
+    r"iterdir|rglob|find_packages?_data|package_files|generate_data_files",
+    re.IGNORECASE,
+)
+"""Words of a build that gathers folders without their names."""
 PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
 """One of them is in a project of Python."""
 _STOP = frozenset(
@@ -350,6 +356,27 @@ def is_of_ros_2(path: str | os.PathLike[str]) -> bool:
     """Is the package that a file is in built by ament alone?"""
     manifest = _manifest_around(path)
     return "ament_" in manifest and ">catkin<" not in manifest
+
+
+def uninstalled(folder: str) -> tuple[str, str, str] | None:
+    """A package of ROS 2, the folder in it that its build does not install, and the file that says what is installed.
+
+    ``folder`` is the one itself, or one in it. None where it is installed, or where that is not certain.
+    """
+    around = package_around(os.path.join(folder, "file"))
+    if around is None or not is_of_ros_2(os.path.join(folder, "file")):
+        return None
+    top = os.path.relpath(folder, around[0]).partition(os.sep)[0]
+    build = next(
+        (name for name in ("CMakeLists.txt", "setup.py") if os.path.isfile(os.path.join(around[0], name))), ""
+    )
+    text = _REMARK.sub("", _read(Path(around[0], build))) if build else ""
+    is_named = re.search(rf"(?<![\w-]){re.escape(top)}(?![\w-])", text)
+    return (
+        (around[1], top, build)
+        if top != os.curdir and text and not is_named and not _GATHERED.search(text)
+        else None
+    )
 
 
 def is_of_python(path: str | os.PathLike[str]) -> bool:

@@ -37,19 +37,20 @@ INTERNAL_ERROR = RuleFacts(
     __name__,
 )
 
-_ANALYSES_OF_ALL = ("sdfcheck.source.document:problems",)
+_ANALYSES_OF_ALL = (("sdfcheck.source.document:problems", ""),)
 _ANALYSES = {
     Kind.SDF: (
-        "sdfcheck.formats.sdf.survey:problems",
-        "sdfcheck.formats.sdf.structure:structure_problems",
-        "sdfcheck.robot.includes.lazy_problems:problems",
+        ("sdfcheck.formats.sdf.survey:problems", ""),
+        ("sdfcheck.formats.sdf.structure:structure_problems", ""),
+        ("sdfcheck.robot.includes.included:problems", "<include"),
     ),
     Kind.URDF: (
-        "sdfcheck.formats.urdf.survey:problems",
-        "sdfcheck.formats.urdf.extensions:problems",
+        ("sdfcheck.formats.urdf.survey:problems", ""),
+        ("sdfcheck.formats.sdf.survey:problems", "<gazebo"),
+        ("sdfcheck.formats.sdf.structure:structure_problems", "<gazebo"),
     ),
 }
-"""Where the analyses of each kind of document are; a run loads those that it needs."""
+"""The analyses of each kind of document, each with the text without which it finds nothing and is not loaded."""
 
 
 OF_BODIES = frozenset({"GEO", "INR"})
@@ -145,8 +146,9 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
 def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:
     """The analyses that fit a document's kind; each yields problems for rules to explain."""
     of_text = () if document.is_expanded else _ANALYSES_OF_ALL
-    for path in (*of_text, *_ANALYSES.get(document.kind, ())):
-        yield _analysis(path)
+    for path, text in (*of_text, *_ANALYSES.get(document.kind, ())):
+        if text in document.source.text:
+            yield _analysis(path)
 
 
 @cache

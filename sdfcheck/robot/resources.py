@@ -13,6 +13,7 @@ from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
 
 if TYPE_CHECKING:
+    from sdfcheck.files.library import Disk
     from sdfcheck.files.uris import Location
     from sdfcheck.robot.includes.included import Obstacle
     from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
@@ -208,6 +209,15 @@ class Resource(FileUse):
         return own[1] if own is not None and has_it else None
 
     @property
+    def uninstalled(self) -> tuple[str, str, str] | None:
+        """Its package of ROS 2, the folder in it that is not installed, and the file that says what is."""
+        library, location = library_of(self.document), self.location
+        if library is None or location is None or location.scheme != "package" or location.path is None:
+            return None
+        found = library.disk.view(os.path.dirname(location.path), _uninstalled)
+        return found if found is not None and found[0] == location.name else None
+
+    @property
     def _is_among_textures(self) -> bool:
         """Gazebo also looks for the bare name of a picture in the folders that models keep theirs in."""
         if self.what not in _PICTURES or "/" in self.uri:
@@ -225,6 +235,12 @@ class Resource(FileUse):
             return False
         folder = self.document.path.parent / compiler.attributes["meshdir"]
         return os.path.exists(folder / os.path.basename(self.uri))
+
+
+def _uninstalled(folder: str, disk: Disk) -> tuple[str, str, str] | None:
+    from sdfcheck.files.packages import uninstalled
+
+    return uninstalled(folder)
 
 
 def _own_package(document: Document) -> tuple[str, str] | None:

@@ -127,16 +127,12 @@ def prepare(
         for index, arguments in enumerate(sets)
         if misread or goes_on(expansions[index])
     }
-    if misread and any(
-        _fails_for_prefix(document, expander, *pair) for pair in zip(sets, parts.values(), strict=True)
-    ):
-        found = [each.changed(is_fatal=True) if type(each) is MissingXacroPrefix else each for each in found]
     shown = tuple(part.document for part in parts.values() if part.document is not None)
-    for part in shown:
-        part.library = document.library
-        part.is_open = not is_complete(part) or is_included(document) or not UnknownParts(part).is_whole
+    _open(shown, document)
     outcomes = [parts.get(index, whole) for index, whole in enumerate(expansions)]
-    if outcomes and all(map(_lacks_packages_only, outcomes)):
+    if misread:
+        found = list(_as_they_stop(found, document, expander, zip(sets, parts.values(), strict=True)))
+    elif all(map(_lacks_packages_only, outcomes)):
         found = list(_unreached(found, document, shown))
     if not any(map(stops, found)):
         known = [*expansions, *(part for part in parts.values() if part.document is not None)]
@@ -146,6 +142,13 @@ def prepare(
     found = [each for each in found if not _is_template(each.span.source)]
     explained = [with_reason(problem, document) for problem in _merged(found)]
     return _without_templates(Prepared(tuple(explained), documents, shown))
+
+
+def _open(parts: Iterable[ExpandedDocument], document: Document) -> None:
+    """Say of expansions of what can be expanded whether they may be judged as robots."""
+    for part in parts:
+        part.library = document.library
+        part.is_open = not is_complete(part) or is_included(document) or not UnknownParts(part).is_whole
 
 
 def _without_templates(prepared: Prepared) -> Prepared:
@@ -166,15 +169,26 @@ def _is_template(source: Source) -> bool:
     return source.path.suffix == TEMPLATE
 
 
-def _fails_for_prefix(
-    document: Document, expander: Expander, arguments: Mapping[str, str], part: Expansion
-) -> bool:
-    """Does xacro fail for what lacks its prefix? ``part``: the expansion as if it had it."""
-    whole = expand_as_launched(document, expander.expand, arguments)
-    known = {(type(each), each.span.source.path, each.span.start) for each in part.problems}
-    return whole.document is None and any(
-        (type(each), each.span.source.path, each.span.start) not in known for each in whole.problems
-    )
+def _as_they_stop(
+    found: Iterable[Problem],
+    document: Document,
+    expander: Expander,
+    parts: Iterable[tuple[Mapping[str, str], Expansion]],
+) -> Iterator[Problem]:
+    """The problems, with those of elements without their prefix fatal where xacro fails for them.
+
+    ``parts`` are the arguments, each with the expansion as if the prefixes were there.
+    """
+    fails = False
+    for arguments, part in parts:
+        whole = expand_as_launched(document, expander.expand, arguments)
+        known, problems = (
+            {(type(each), each.span.source.path, each.span.start) for each in one.problems}
+            for one in (part, whole)
+        )
+        fails |= whole.document is None and not problems <= known
+    for each in found:
+        yield each.changed(is_fatal=True) if fails and isinstance(each, MissingXacroPrefix) else each
 
 
 def goes_on(expansion: Expansion) -> bool:

@@ -18,7 +18,7 @@ from sdfcheck.files.uris import locate
 from sdfcheck.formats import history
 from sdfcheck.formats.findings import text_problems
 from sdfcheck.formats.near_names import suggest
-from sdfcheck.formats.problems import MisplacedElement, UnknownAttribute
+from sdfcheck.formats.problems import MisplacedElement, MissingElement, UnknownAttribute
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import SDF, schema
 from sdfcheck.formats.sdf.survey import PARAMETERS, defined_alone, examine, notes, survey, version_of
@@ -877,3 +877,20 @@ def _size(document: Document, known: dict[Document, _Size], chain: tuple[Documen
         depth = max(depth, 1 + inner.depth)
     size = known[document] = _Size(models, depth)
     return size
+
+
+# What is wrong with the parameters and placement of includes. Problems of an included file are reported in that file.
+
+
+def problems(document: Document) -> Iterator[object]:
+    """The problems of the includes of an SDF document by itself, in no particular order."""
+    for include in includes_of(document):
+        brought = included(document, include)
+        if _is_placed_in_vain(include):
+            yield MissingElement(include, "pose", None, refused=True)
+        yield from brought.faults
+
+
+def _is_placed_in_vain(include: Element) -> bool:
+    placement = include.find("placement_frame")
+    return placement is not None and bool(placement.content) and not include.has("pose")

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from sdfcheck.robot.graph import Model
-from sdfcheck.robot.includes.lazy_problems import problems
+from sdfcheck.robot.includes.included import problems
 from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import MODEL, WORLD, document, opened, write
 

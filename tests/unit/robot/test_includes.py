@@ -9,8 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.formats.problems import MissingElement
-from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of
-from sdfcheck.robot.includes.lazy_problems import problems
+from sdfcheck.robot.includes.included import Included, Obstacle, included, includes_of, problems
 from sdfcheck.robot.root import root_of
 from sdfcheck.source.document import Document
 from tests.posix import make_pipe

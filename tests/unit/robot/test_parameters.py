@@ -8,9 +8,8 @@ import pytest
 
 from sdfcheck.formats.problems import MissingAttribute, WrongComponentCount
 from sdfcheck.robot.graph import Model
-from sdfcheck.robot.includes.included import InvalidParameter
+from sdfcheck.robot.includes.included import InvalidParameter, problems
 from sdfcheck.robot.includes.included import ParameterFault as Fault
-from sdfcheck.robot.includes.lazy_problems import problems
 from sdfcheck.robot.root import root_of
 from tests.unit.robot.files import MODEL, WORLD, document
 
