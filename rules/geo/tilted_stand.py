@@ -84,7 +84,10 @@ class TiltedStand(Rule):
                     f"the robot has two wheels alone, and its center of mass is {lean * 1000:.3g} mm from"
                 )
                 yield self.diagnostic(
-                    body, f"{message} their axle: it tips over", labels={plugin: "this drive"}
+                    body,
+                    f"{message} their axle: it tips over",
+                    labels={plugin: "this drive"},
+                    help="add a caster on the side to which it tips, or move the mass above the axle",
                 )
             return
         link, shape, height, is_solid, how = found

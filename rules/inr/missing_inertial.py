@@ -1,13 +1,21 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Link, Rule, Severity
+from sdfcheck_rules.inr.moments import joints_to_world
+
+LEG = (
+    '<link name="body"><inertial><mass>2</mass></inertial></link>{}<link name="leg"><inertial><mass>1</mass>'
+    '</inertial></link><joint name="yaw" type="ball"><parent>body</parent><child>hip</child></joint>'
+    '<joint name="pitch" type="ball"><parent>hip</parent><child>leg</child></joint>'
+)
 
 
 class MissingInertial(Rule):
-    """A link that moves has a shape and no `<inertial>`.
+    """A link that moves has a shape and no `<inertial>`, or is between joints that move.
 
     libsdformat gives it 1 kg and moments of 1 kg·m² each, whatever its size; Drake takes the
-    same. A cup of that inertia turns like a barrel.
+    same. A cup of that inertia turns like a barrel, and an auxiliary link between two joints weighs
+    what it is thought not to.
     """
 
     code = "INR004"
@@ -40,9 +48,17 @@ class MissingInertial(Rule):
             says="`cup`",
             also=("FRM012",),
         ),
+        Bad(
+            LEG.format("<«link» name='hip'/>"),
+            says="link `hip` between two joints has no inertial: simulators take 1 kg and unit inertia",
+        ),
     )
     good = (
         Good('<link name="mark"/>', why="no shape: nothing to weigh"),
+        Good(
+            LEG.format("<link name='hip'/>").replace("ball", "fixed", 1),
+            why="a place on the link that carries it",
+        ),
         Good(
             '<sdf version="1.12"><model name="wall"><static>true</static><link name="l"><collision name="c">'
             "<geometry><box><size>1 1 1</size></box></geometry></collision></link></model></sdf>",
@@ -55,8 +71,21 @@ class MissingInertial(Rule):
     def applies(link: Link) -> bool:
         if link.has("inertial") or link.is_urdf or link.may_be_static:
             return False  # In URDF what a link without inertial means depends on its joint.
-        return (link.has("collision") or link.has("visual")) and not link.misspells("inertial")
+        return (has_shape(link) or is_between_joints(link)) and not link.misspells("inertial")
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
-        message = f"link `{link.name}` has no inertial: simulators take 1 kg and unit inertia"
+        where = "" if has_shape(link) else " between two joints"
+        message = f"link `{link.name}`{where} has no inertial: simulators take 1 kg and unit inertia"
         yield self.diagnostic(link, message)
+
+
+def has_shape(link: Link) -> bool:
+    return link.has("collision") or link.has("visual")
+
+
+def is_between_joints(link: Link) -> bool:
+    """Does a joint move it, and another one what hangs on it?"""
+    if not any(joint.moves for joint in link.child_joints):
+        return False
+    holding = link.parent_joints or joints_to_world(link)
+    return any(joint.moves for joint in holding)

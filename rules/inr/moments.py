@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from sdfcheck import Consumer, Element, Inertial, Reaction, accepts
+from sdfcheck import Consumer, Element, Inertial, Joint, Link, Reaction, accepts
 
 _LITTLE, _EXACTLY = 2.0, 0.05
 """Of 1,920 solids in public robots none was twice its moments and, about the origin, within 5 % of them."""
@@ -197,3 +197,12 @@ def most(inertial: Inertial) -> tuple[float, ...]:
         return ()
     x, y, z = (length * length for length in box.size)
     return tuple(inertial.mass.number / 4 * square for square in (y + z, x + z, x + y))
+
+
+def joints_to_world(link: Link) -> tuple[Joint, ...]:
+    """The joints of SDFormat by which the world holds it."""
+    if link.is_urdf or link.holder is None or link.holder.kind != "model":
+        return ()
+    return tuple(
+        joint for joint in link.model.joints if joint.parent_name == "world" and joint.child_link is link
+    )

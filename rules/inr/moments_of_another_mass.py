@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 from math import nan
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Part, Rule, Severity
+from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Part, Rule, Severity
 from sdfcheck_rules.inr.moments import is_doubtful, is_weighed
 
 EVEN = 0.005
@@ -46,11 +46,18 @@ class MomentsOfAnotherMass(Rule):
         Good(WRIST.format("0.0008662", "0.0008662", "0.0003408")),
         Good(WRIST.format("0.00036295", "0.00036295", "0.0002"), why="of another shape"),
         Good(WRIST.format("0.0034648", "0.0034648", "0.0013632"), why="of twice the size"),
+        Good(
+            "<inertial><inertia><ixx>0.00036295</ixx><iyy>0.00036295</iyy><izz>0.0001428</izz></inertia></inertial>"
+            '<collision name="c"><geometry><cylinder><radius>0.04</radius><length>0.14</length></cylinder></geometry>'
+            "</collision>",
+            why="missing-element says that there is no mass",
+            scaffold=IN_LINK,
+        ),
     )
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_doubtful(inertial) and factor(inertial) > 0
+        return inertial.mass.is_given and is_doubtful(inertial) and factor(inertial) > 0
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         mass = inertial.mass

@@ -14,7 +14,7 @@ from sdfcheck import (
     Severity,
     accepts,
 )
-from sdfcheck_rules.inr.moments import has_moments
+from sdfcheck_rules.inr.moments import has_moments, joints_to_world
 
 ZERO = "<ixx>0</ixx><iyy>0</iyy><izz>0</izz><ixy>0</ixy><ixz>0</ixz><iyz>0</iyz>"
 INERTIA = '<{} ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/>'
@@ -112,15 +112,6 @@ class ZeroInertia(Rule):
         if not link.parent_joints:
             affects = {Consumer.MUJOCO: accepts("makes it part of the world")}
         yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"}, affects=affects)
-
-
-def joints_to_world(link: Link) -> tuple[Joint, ...]:
-    """The joints of SDFormat by which the world holds it."""
-    if link.is_urdf or link.holder is None or link.holder.kind != "model":
-        return ()
-    return tuple(
-        joint for joint in link.model.joints if joint.parent_name == "world" and joint.child_link is link
-    )
 
 
 def counts_as_massless(link: Link) -> bool:

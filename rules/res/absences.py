@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 
-from sdfcheck import Consumer, Reaction, Resource, accepts, warns
-from sdfcheck_rules.res.places import expected
+from sdfcheck import Consumer, Missing, MissingKind, Reaction, Resource, accepts, warns
+from sdfcheck_rules.res.places import expected, names_file
 
 
 class Absences:
@@ -43,6 +43,22 @@ class Absences:
         if folder is None or (folder not in self.folders and os.path.isdir(folder)):
             return self.files.setdefault(named, [])
         return self.folders.setdefault(folder, [])
+
+
+def elsewhere(uses: Sequence[Resource]) -> tuple[str, str, Missing | None]:
+    """The message about a model or package that is not found, the advice, and what another computer may have."""
+    location = uses[0].location
+    assert location is not None, "what is missing was looked for"
+    if names_file(location.name):
+        message = f"`{uses[0].uri}` names a file and no {location.scheme}"
+        return message, f"; write `{location.scheme}://NAME/{location.name}`", None
+    setting = "model-paths" if location.scheme == "model" else "package-paths"
+    message = f"{location.scheme} `{location.name}` is not on the search path"
+    meant = {resource.meant_package for resource in uses}
+    if len(meant) == 1 and (own := meant.pop()) is not None:
+        return f"{message}, and `{own}` has what is asked of it", "", None
+    advice = f"; set `{setting}` in the configuration if it is elsewhere"
+    return message, advice, Missing(MissingKind(location.scheme), location.name, len(uses))
 
 
 def reactions(uses: Sequence[Resource], missing: Reaction) -> dict[Consumer, Reaction]:

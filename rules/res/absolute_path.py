@@ -8,6 +8,7 @@ from sdfcheck import (
     IN_VISUAL,
     UNFOUND,
     Bad,
+    Consumer,
     Diagnostic,
     Good,
     Include,
@@ -16,6 +17,7 @@ from sdfcheck import (
     Rule,
     Severity,
     Value,
+    accepts,
 )
 from sdfcheck_rules.res.absences import reactions
 
@@ -26,8 +28,8 @@ HOME = re.compile(r"(?:file://)?/(?:home|Users)/[^/\s]+/\S+")
 class AbsolutePath(Rule):
     """A path begins at the root of the file system, so it holds on one computer only.
 
-    Everybody else gets a robot without that mesh or model. A path relative to the file,
-    `model://` or `package://` goes with the files.
+    Everybody else gets a robot without that mesh, model or plugin. A path relative to the file,
+    `model://` or `package://` goes with the files; a plugin is found by the name of its library.
     """
 
     code = "RES006"
@@ -37,7 +39,8 @@ class AbsolutePath(Rule):
 
     ROS programs want `package://`, Gazebo takes all three. The model has to be below a folder that
     `GZ_SIM_RESOURCE_PATH` lists, the package has to be installed with its meshes
-    (`install(DIRECTORY meshes …)`).
+    (`install(DIRECTORY meshes …)`). Of a plugin write the name of the library alone, and list its
+    folder in `GZ_SIM_SYSTEM_PLUGIN_PATH`.
     """
     looks_at = (Include, Resource, Plugin)
     scaffold = IN_VISUAL
@@ -58,10 +61,20 @@ class AbsolutePath(Rule):
             '<plugin name="p" filename="libp.so"><table>«/home/ann/data.csv»</table></plugin>',
             scaffold=IN_MODEL,
         ),
+        Bad(
+            '<plugin name="p" filename="«/home/ann/ws/build/libp.so»"/>',
+            scaffold=IN_MODEL,
+            says="absolute path `/home/ann/ws/build/libp.so` holds on one computer only",
+        ),
     )
     good = (
         Good(MESH.format("file://meshes/arm.dae"), why="relative anyway"),
         Good(MESH.format("model://arm/arm.dae")),
+        Good(
+            '<plugin name="p" filename="/usr/lib/libp.so"/>',
+            scaffold=IN_MODEL,
+            why="where packages are installed",
+        ),
     )
 
     @staticmethod
@@ -74,9 +87,8 @@ class AbsolutePath(Rule):
     def check(self, named: Include | Resource | Plugin) -> Iterator[Diagnostic]:
         if isinstance(named, Plugin):
             for value in of_somebody(named):
-                yield self.diagnostic(
-                    value, f"absolute path `{value.text.strip()}` holds on one computer only"
-                )
+                message = f"absolute path `{value.text.strip()}` holds on one computer only"
+                yield self.diagnostic(value, message, affects={Consumer.DRAKE: accepts("ignores plugins")})
             return
         if named.uri_value is not None:
             affects = reactions([named], UNFOUND) if isinstance(named, Resource) else None
@@ -85,7 +97,9 @@ class AbsolutePath(Rule):
 
 
 def of_somebody(plugin: Plugin) -> Iterator[Value]:
-    """The parameters of a plugin that name a file in somebody's home folder."""
+    """The library and the parameters of a plugin that are files in somebody's home folder."""
+    if plugin.filename_value is not None and HOME.match(plugin.filename):
+        yield plugin.filename_value
     for parameter in plugin.parameters:
         if not parameter.nodes and HOME.match(parameter.content):
             yield parameter.own_value

@@ -19,7 +19,7 @@ from sdfcheck import (
     used,
     write_instead,
 )
-from sdfcheck_rules.res.absences import Absences, reactions
+from sdfcheck_rules.res.absences import Absences, elsewhere, reactions
 from sdfcheck_rules.res.places import looked_for, near_file, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
@@ -85,6 +85,12 @@ class MissingFile(Rule):
             files={"package.xml": "<package><name>arm_description</name></package>", "meshes/a.stl": ""},
             says="package `lost` is not on the search path, and `arm_description` has what is asked of it",
         ),
+        Bad(
+            '<visual><geometry><mesh filename="«package://arm.stl»"/></geometry></visual>',
+            scaffold=IN_URDF_LINK,
+            files={"meshes/arm.stl": ""},
+            says="`package://arm.stl` names a file and no package",
+        ),
     )
     good = (
         Good(MESH.format("meshes/arm.dae"), files={"meshes/arm.dae": ""}),
@@ -110,18 +116,8 @@ class MissingFile(Rule):
         for uses in absences.files.values():
             yield self.file(uses)
         for uses in absences.owners.values():
-            location = uses[0].location
-            assert location is not None, "what is missing was looked for"
-            setting = "model-paths" if location.scheme == "model" else "package-paths"
-            advice = f"; set `{setting}` in the configuration if it is elsewhere"
-            message = f"{location.scheme} `{location.name}` is not on the search path"
-            meant = {resource.meant_package for resource in uses}
-            if len(meant) == 1 and (own := meant.pop()) is not None:
-                yield self.together(uses, f"{message}, and `{own}` has what is asked of it")
-                continue
-            yield self.together(uses, message, advice)._replace(
-                missing=Missing(MissingKind(location.scheme), location.name, len(uses))
-            )
+            message, advice, missing = elsewhere(uses)
+            yield self.together(uses, message, advice)._replace(missing=missing)
         for folder, uses in absences.submodules.items():
             name = place(part.document, folder)
             message = f"folder `{name}` is empty: it may be a submodule that is not checked out"

@@ -10,6 +10,7 @@ from pathlib import Path
 from sdfcheck import Document, Fix, Include, Resource, suggest, write_instead
 
 _SHOWN = 3
+_FILE = re.compile(r"[^/]+\.(?:stl|dae|obj|glb|gltf|ply|msh|png|jpe?g)", re.IGNORECASE)
 
 
 def place(document: Document, path: str | Path) -> str:
@@ -54,6 +55,11 @@ def near_file(resource: Resource) -> tuple[str | None, bool]:
     beside = names_in(folder or os.curdir, (os.path.splitext(own)[1],))
     alike = [name for name in beside if numbers(name) == numbers(own)]
     return suggest(own, alike), bool(beside)
+
+
+def names_file(name: str) -> bool:
+    """Is the name of a package or model that of a mesh or picture?"""
+    return _FILE.fullmatch(name) is not None
 
 
 def near_model(include: Include) -> str | None:

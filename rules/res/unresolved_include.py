@@ -14,7 +14,8 @@ from sdfcheck import (
     Rule,
     Severity,
 )
-from sdfcheck_rules.res.places import descriptions, looked_for, near_model, write_model
+from sdfcheck_rules.res.absent_models import Absence, elsewhere, of_submodule, unfetched
+from sdfcheck_rules.res.places import descriptions, looked_for, write_model
 
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
@@ -25,7 +26,8 @@ class UnresolvedInclude(Rule):
 
     libsdformat refuses the document. A file of another computer is a warning: a `model://`, or a bare name,
     that no folder near by nor any on the search path has (set `model-paths` in the configuration), and a path from
-    the root of the file system. Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
+    the root of the file system. So is a folder without content, as that of a submodule that is not checked out.
+    Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
     is ever fetched. A folder needs a `model.config` that says which of its files is the model.
     """
 
@@ -117,8 +119,11 @@ class UnresolvedInclude(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         alike: dict[object, list[Include]] = {}
+        empty: dict[str, list[Include]] = {}
         for include in root.includes:
-            if include.needs_config:
+            if folder := unfetched(include):
+                empty.setdefault(folder, []).append(include)
+            elif include.needs_config:
                 yield from self.folder(include)
             elif include.is_missing:
                 # A part that is missing for a reason outside of the file is reported once.
@@ -126,6 +131,8 @@ class UnresolvedInclude(Rule):
                 alike.setdefault(include.uri if is_outside else include, []).append(include)
         for includes in alike.values():
             yield from self.missing(includes)
+        for folder, includes in empty.items():
+            yield self.together(includes, of_submodule(includes[0], folder))
 
     def folder(self, include: Include) -> Iterator[Diagnostic]:
         text, value, location = include.uri, include.uri_value, include.location
@@ -141,7 +148,7 @@ class UnresolvedInclude(Rule):
         if value is None or location is None:
             return
         if location.is_remote or (location.is_local and include.is_searched_for):
-            yield self.elsewhere(includes)
+            yield self.together(includes, elsewhere(include))
         elif not location.is_local:
             advice = "write `model://`, `package://`, `file://` or a path"
             yield self.diagnostic(value, f"no consumer knows the scheme `{location.scheme}`", help=advice)
@@ -152,26 +159,16 @@ class UnresolvedInclude(Rule):
             severity = Severity.WARNING if include.is_absolute else self.severity
             yield self.diagnostic(value, message, help=looked_for(include), severity=severity)
 
-    def elsewhere(self, includes: list[Include]) -> Diagnostic:
-        """The finding about a model that another computer may have."""
-        include, count = includes[0], len(includes)
-        text, value, location, meant = include.uri, include.uri_value, include.location, near_model(include)
-        assert value is not None
-        assert location is not None
-        kind, name = location.scheme or "model", location.name or text
-        message = f"{kind} `{name}` is not on the search path"
-        advice = f"{looked_for(include)}; set `{kind}-paths` in the configuration if it is elsewhere"
-        if location.is_remote:
-            kind, name = MissingKind.REMOTE.value, text
-            message = f"`{text}` is not fetched, so what it brings is not known"
-            advice = "download it, and name the folder of its models in `model-paths` of the configuration"
+    def together(self, includes: list[Include], absence: Absence) -> Diagnostic:
+        """The finding about what several includes lack for a reason outside of the file."""
+        count = len(includes)
         return self.diagnostic(
-            value,
-            f"{message} ({count} includes)" if count > 1 else message,
-            meant=meant,
-            fix=write_model(meant, includes),
-            severity=Severity.INFO if location.is_remote else Severity.WARNING,
-            help=advice,
+            includes[0].uri_value or includes[0],
+            f"{absence.message} ({count} includes)" if count > 1 else absence.message,
+            meant=absence.meant,
+            fix=write_model(absence.meant, includes),
+            severity=Severity.INFO if absence.kind is MissingKind.REMOTE else Severity.WARNING,
+            help=absence.advice,
             affects=ELSEWHERE,
-            missing=None if meant else Missing(MissingKind(kind), name, count),
+            missing=None if absence.meant else Missing(absence.kind, absence.name, count),
         )

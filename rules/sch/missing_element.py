@@ -12,6 +12,7 @@ from sdfcheck import (
     Element,
     Fix,
     Good,
+    Reaction,
     Rule,
     Severity,
     lacking,
@@ -151,7 +152,7 @@ class MissingElement(Rule):
                 message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
             fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
         if problem.refused:
-            affects, labels = lacking(problem.element, problem.child), other_end(problem)
+            affects, labels = refusals(problem), other_end(problem)
             severity = Severity.WARNING if is_placeholder(problem.element) else None
             yield self.diagnostic(place, message, severity=severity, fix=fix, affects=affects, labels=labels)
             return
@@ -166,6 +167,14 @@ class MissingElement(Rule):
         yield self.diagnostic(
             place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
         )
+
+
+def refusals(problem: problems.MissingElement) -> dict[Consumer, Reaction]:
+    """The consumers that refuse the file for it; Drake needs no link, but the name that a placeholder lacks, too."""
+    affects = dict(lacking(problem.element, problem.child))
+    return (
+        {**affects, Consumer.DRAKE: refuses("wants a name")} if is_placeholder(problem.element) else affects
+    )
 
 
 def is_placeholder(element: Element) -> bool:

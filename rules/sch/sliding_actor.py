@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 from itertools import pairwise
 from math import dist
+from operator import itemgetter
 
 from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Element, Good, Rule, Severity
 
@@ -67,13 +68,14 @@ def sliding(actor: Actor) -> Iterator[tuple[Element, float]]:
 
 
 def way(trajectory: Element) -> float:
-    """The length of a trajectory in the plane, in meters; 0 where a pose is not numbers."""
+    """The length of a trajectory in the plane, in meters, in the order of the times; 0 where a pose is not numbers."""
     places = []
     for waypoint in trajectory.children("waypoint"):
-        pose = waypoint.value("pose")
+        time, pose = waypoint.value("time"), waypoint.value("pose")
         words = pose.text.split() if pose is not None else []
         try:
-            places.append((float(words[0]), float(words[1])))
+            places.append((time.number if time is not None else 0.0, float(words[0]), float(words[1])))
         except (IndexError, ValueError):
             return 0.0
-    return sum(dist(one, other) for one, other in pairwise(places))
+    places.sort(key=itemgetter(0))
+    return sum(dist(one[1:], other[1:]) for one, other in pairwise(places))

@@ -39,6 +39,16 @@ class Effort:
         self._left -= cells
 
 
+_UNIT = re.compile(r"_(?:kg|m|rad|s|sec|hz|n|nm)$", re.IGNORECASE)
+"""The units of the formats, which no name says."""
+
+
+def without_unit(name: str, candidates: Collection[str]) -> str | None:
+    """The candidate that a name is with a unit behind it, such as ``mass_kg``."""
+    bare = _UNIT.sub("", name)
+    return bare if bare != name and bare in candidates else None
+
+
 def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) -> str | None:
     """The candidate that a misspelled name was meant to be, or None when nothing is near.
 

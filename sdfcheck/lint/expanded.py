@@ -7,6 +7,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
+from types import MappingProxyType
 
 from sdfcheck.formats.urdf.survey import is_unknown
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
@@ -21,9 +22,9 @@ from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
-from sdfcheck.xacro.language import KEYWORDS
+from sdfcheck.xacro.language import KEYWORDS, is_literal
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.prepare import UnknownParts, goes_on, has_unknown_value, prepare
+from sdfcheck.xacro.prepare import UnknownParts, expand_as_launched, goes_on, has_unknown_value, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
@@ -56,7 +57,9 @@ def lint_xacro(
     left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
     calls = _left_calls(document)
     found += [
-        _with_cause(each, calls) for each in built if not any(_overlap(each.span, span) for span in left)
+        _with_cause(_as_left(each, calls), calls)
+        for each in built
+        if not any(_overlap(each.span, span) for span in left)
     ]
     if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
@@ -71,6 +74,12 @@ def _with_cause(found: Diagnostic, calls: Mapping[tuple[str, int], Span]) -> Dia
         return found
     is_left = found.span.text in KEYWORDS or BRACES.search(found.span.text)
     return found._replace(cause=found.span) if is_left else found
+
+
+def _as_left(found: Diagnostic, calls: Mapping[tuple[str, int], Span]) -> Diagnostic:
+    """The same without effect on any consumer, where a call leads to it that xacro leaves as it is."""
+    is_led = any((step.span.source.real_path, step.span.start) in calls for step in found.origins)
+    return found._replace(affects=()) if is_led else found
 
 
 def _left_calls(document: Document) -> dict[tuple[str, int], Span]:
@@ -248,18 +257,27 @@ def lint_semantics(document: Document, dispatch: Dispatch, xacro: Xacro | None) 
         return lint_document(document, dispatch)
     written = read(document.source.text.encode(), document.path, Kind.XACRO)
     written.library = document.library
-    expanded = None if expander is None else expander.expand(written).document
+    expanded = None if expander is None else expand_as_launched(written, expander.expand, {}).document
     if expanded is None or expanded.root is None or expanded.root.name != "robot":
         return []
     expanded.kind, expanded.library = Kind.SRDF, document.library
-    _find_robots(expanded, expander)
+    declared = (each for known in visible_definitions(written).readings for each in known.arguments.items())
+    _find_robots(expanded, expander, {name: text for name, text in declared if text and is_literal(text)})
     return fold(settle(lint_document(expanded, dispatch), expanded, written))
 
 
-def _find_robots(document: Document, expander: Expander | None) -> None:
+def _find_robots(
+    document: Document, expander: Expander | None, given: Mapping[str, str] = MappingProxyType({})
+) -> None:
+    """Find them, expanded with the arguments of the file, which launch files give to both, if they can be."""
+
     def expand(robot: Document, arguments: Mapping[str, str]) -> Document | None:
         assert expander is not None
-        return expander.expand(robot, arguments).document
+        for values in ({**given, **arguments}, arguments):
+            found = expand_as_launched(robot, expander.expand, values).document
+            if found is not None or not given:
+                return found
+        return None
 
     for semantics in semantics_in(document):
         find_robots(semantics, expand if expander is not None else None)

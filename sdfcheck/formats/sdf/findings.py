@@ -17,7 +17,7 @@ from sdfcheck.formats.findings import (
     judge,
     text_problems,
 )
-from sdfcheck.formats.near_names import suggest
+from sdfcheck.formats.near_names import suggest, without_unit
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import read_at
@@ -233,7 +233,8 @@ class SdfFindings(Findings):
         if child.span.start >= self.unclosed:
             return
         is_sdf = self.document.kind is Kind.SDF
-        suggestion = suggest(name, place.children) or (None if is_sdf else _setting(name, place))
+        suggestion = suggest(name, place.children) or without_unit(name, place.children)
+        suggestion = suggestion or (None if is_sdf else _setting(name, place))
         known = history.known_parents(name, self.version)
         if known and not self.is_of_another_kind(child):
             if self.is_cut_off(child, parent, known):

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.near_names import distance, suggest
+from sdfcheck.formats.near_names import distance, suggest, without_unit
 
 
 @pytest.mark.parametrize(
@@ -45,3 +45,10 @@ def test_near_misses(name: str, candidates: list[str], expected: str | None) -> 
 )
 def test_distance(one: str, other: str, edits: int) -> None:
     assert distance(one, other) == distance(other, one) == edits
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"), [("mass_kg", "mass"), ("mass", None), ("mass_mg", None), ("weight_kg", None)]
+)
+def test_a_unit_of_the_format_behind_a_name(name: str, expected: str | None) -> None:
+    assert without_unit(name, {"mass", "pose"}) == expected

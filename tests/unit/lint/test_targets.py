@@ -129,6 +129,22 @@ def test_an_undeclared_prefix_is_no_reason(tmp_path: Path) -> None:
     assert judged(text, "m.sdf", tmp_path, Consumer.GAZEBO) == {"gazebo": "accept"}
 
 
+def test_a_call_without_prefix_brings_no_reasons(tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="moments">'
+        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></xacro:macro>'
+        f'<link name="a"/><link name="b">{INERTIAL.replace("</inertial>", "<{}moments/></inertial>")}</link>'
+        '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint></robot>'
+    )
+    assert judged(text.format("xacro:"), "r.urdf.xacro", tmp_path, Consumer.MUJOCO) == {"mujoco": "reject"}
+    assert judged(text.format(""), "r.urdf.xacro", tmp_path, Consumer.MUJOCO) == {"mujoco": "warn"}
+
+
+@pytest.mark.parametrize(("text", "verdict"), [("<robot/>", "reject"), ('<robot name="r"/>', "accept")])
+def test_drake_wants_a_name_of_an_empty_robot(tmp_path: Path, text: str, verdict: str) -> None:
+    assert judged(text, "r.urdf", tmp_path, Consumer.DRAKE) == {"drake": verdict}
+
+
 @pytest.mark.parametrize(
     ("definition", "verdict"),
     [

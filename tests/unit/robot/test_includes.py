@@ -96,6 +96,24 @@ def test_findings_elsewhere_are_reported_once(tmp_path: Path) -> None:
     assert diagnostic.message.endswith("(3 includes)")
 
 
+@pytest.mark.parametrize("inside", ["/left", "/right", "/model.sdf"])
+def test_the_folder_of_a_submodule_is_missing_once(tmp_path: Path, inside: str) -> None:
+    (tmp_path / "arms").mkdir()
+    text = WORLD.format(include(f"model://arms{inside}", "<name>a</name>") + include("model://arms/left"))
+    (diagnostic,) = reported(document(tmp_path, text))
+    assert (diagnostic.code, diagnostic.severity.value) == ("RES002", "warning")
+    assert diagnostic.message == (
+        "folder `arms` is empty: it may be a submodule that is not checked out (2 includes)"
+    )
+
+
+def test_a_missing_mass_is_said_once_where_it_has_a_unit() -> None:
+    link = '<link name="l"><inertial><mass_kg>1</mass_kg></inertial></link>'
+    text = f'<sdf version="1.9"><model name="m">{link}</model></sdf>'
+    run = sdfcheck.lint(text, name="m.sdf", isolated=True)
+    assert [each.code for each in run.diagnostics] == ["NS002"]
+
+
 @pytest.mark.parametrize(
     ("text", "obstacle"),
     [

@@ -84,6 +84,47 @@ def test_the_robot_and_the_semantics_may_be_xacro(package: Path, name: str) -> N
     assert found(package, macro.replace('at="7"', 'att="7"'), "part.srdf.xacro") == []
 
 
+LAUNCH = """
+from launch.substitutions import Command
+def generate_launch_description():
+    robot = Command(["xacro ", "arm.urdf.xacro", " name:=", "arm"])
+    semantics = Command(["xacro ", "arm.srdf.xacro", " name:=", "arm"])
+"""
+NAMED = (
+    '<robot name="$(arg name)" xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="name" default="arm"/>'
+)
+
+
+def test_robot_and_semantics_are_expanded_as_they_are_launched(package: Path) -> None:
+    (package / ".git").mkdir()
+    (package / "arm.urdf").unlink()
+    (package / "arm.urdf.xacro").write_text(ROBOT.format("").replace('<robot name="arm">', NAMED))
+    file = package / "arm.srdf.xacro"
+    file.write_text(f"{NAMED}{state('1.5')}</robot>")
+
+    def codes() -> list[str]:
+        return [each.code for each in sdfcheck.lint(file, isolated=True, select=["SRD"]).diagnostics]
+
+    assert codes() == []
+    (package / "arm.launch.py").write_text(LAUNCH)
+    assert codes() == ["SRD006"]
+
+
+@pytest.mark.parametrize(("default", "expected"), [("true", []), ("false", [("SRD001", "hand")])])
+def test_the_robot_is_expanded_with_the_arguments_of_the_semantics(
+    package: Path, default: str, expected: list[tuple[str, str]]
+) -> None:
+    (package / "arm.urdf").unlink()
+    hand = '<xacro:if value="$(arg hand)"><link name="${side}hand"/></xacro:if></robot>'
+    xacro = (
+        ' xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="hand" default="false"/>'
+        '<xacro:property name="side" value=""/'
+    )
+    (package / "arm.urdf.xacro").write_text(ROBOT.format(xacro).replace("</robot>", hand))
+    text = f'<xacro:arg name="hand" default="{default}"/>{ARM}<group name="g"><link name="hand"/></group>'
+    assert found(package, text, "arm.srdf.xacro") == expected
+
+
 def test_another_robot_of_the_name_is_no_stranger_while_one_cannot_be_expanded(package: Path) -> None:
     leg = '<group name="leg"><joint name="knee"/></group>'
     assert found(package, leg) == [("SRD007", "robot")]

@@ -298,3 +298,35 @@ def test_mujoco_takes_a_link_without_joint(settings: str, severity: str) -> None
     text = URDF.format("").replace("</robot>", f'<link name="ground"/>{settings}</robot>')
     found = sdfcheck.lint(text, name="a.urdf", isolated=True).diagnostics
     assert [each.severity.value for each in found if each.code == "URD004"] == [severity]
+
+
+WALKER = (
+    '<sdf version="1.12"><world name="w"><actor name="a"><skin><filename>https://example.org/w.dae</filename></skin>'
+    '<animation name="walk"><filename>https://example.org/w.dae</filename></animation>'
+    '<script><trajectory id="0" type="walk">{}</trajectory></script></actor></world></sdf>'
+)
+
+
+@pytest.mark.parametrize(
+    ("waypoints", "found"),
+    [
+        ([(0, 0), (9, 0), (1, 1), (8, 1), (2, 2), (7, 2), (3, 3), (6, 3)], []),
+        ([(0, 0), (9, 0), (1, 1), (8, 1), (2, 2), (7, 2), (3, 3), (3, 3)], ["time 1 is not after 9"]),
+        ([(0, 0), (2, 2), (1, 1), (3, 3)], []),
+        ([(0, 0), (2, 1), (1, 2), (3, 3)], ["time 1 is not after 2"]),
+        ([(3, 0), (2, 2)], ["time 2 is not after 3"]),
+    ],
+)
+def test_waypoints_in_another_order_are_one_way_when_sorted(
+    waypoints: list[tuple[int, int]], found: list[str]
+) -> None:
+    form = "<waypoint><time>{}</time><pose>{} 0 0 0 0 0</pose></waypoint>"
+    text = WALKER.format("".join(form.format(*each) for each in waypoints))
+    assert [each.split(",")[0] for each in messages(text, "SCH028")] == found
+
+
+def test_the_way_of_an_actor_is_measured_in_the_order_of_the_times() -> None:
+    form = "<waypoint><time>{}</time><pose>{} 0 0 0 0 0</pose></waypoint>"
+    there_and_back = ((0, 0), (9, 0), (1, 1), (8, 1), (2, 2), (7, 2))
+    text = WALKER.format("".join(form.format(*each) for each in there_and_back))
+    assert messages(text, "SCH035") == ["the steps of actor `a` are not fitted to its way of 4 m"]
