@@ -65,6 +65,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Triple
     from sdfcheck.robot.motion.poses import Array, Pose
+    from sdfcheck.robot.resources import Demand
     from sdfcheck.source.text import Span
 
 
@@ -2546,6 +2547,11 @@ class ControlComponent(Part):
         """The joint of the robot that it drives or reads; None without one."""
         return self.model.joints_by_name.get(self.name) if self.what == "joint" and self.name else None
 
+    @property
+    def demands(self) -> tuple[Demand, ...]:
+        """The interfaces of it that the controllers claim whose file the simulator's plugin names."""
+        return self.model.demands.get(self.name, ()) if self.what == "joint" else ()
+
     @lazy
     def sensor(self) -> Sensor | None:
         """The simulated sensor of its name."""
@@ -3246,6 +3252,19 @@ class Model(Scope):
         self.include: Element | None = None
         """The ``include`` that brought it, if one did."""
         self.is_urdf = self.element.name == "robot"
+
+    @lazy
+    def demands(self) -> dict[str, tuple[Demand, ...]]:
+        """Joint → its interfaces that the controllers claim whose files its plugins name."""
+        plugins = (plugin for block in self.gazebo_blocks for plugin in block.plugins)
+        controls = [plugin for plugin in plugins if "ros2_control" in plugin.filename]
+        if not controls:
+            return {}
+        from sdfcheck.robot.resources import demands_of
+
+        names = (each.content for plugin in controls for each in plugin.children("parameters"))
+        found = grouped(demands_of(self.document, names), lambda demand: demand.joint)
+        return {joint: tuple(each) for joint, each in found.items()}
 
     @property
     def place(self) -> Element:

@@ -6,11 +6,13 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.regular import read_regular
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Disk
@@ -330,3 +332,118 @@ def names_file(element: Element) -> bool:
 
 def _is_for_gazebo(element: Element) -> bool:
     return any(ancestor.name == "gazebo" for ancestor in element.around)
+
+
+# The controllers of ros2_control, in the YAML files that the plugins of simulators name.
+
+
+_MOST_OF_CONTROLLERS = 64 * 1024
+"""Bytes: larger files of controllers are not read, for YAML takes its time."""
+_WHEELS = ("left_wheel_names", "right_wheel_names")
+_FIXED = {
+    "position_controllers/JointGroupPositionController": "position",
+    "velocity_controllers/JointGroupVelocityController": "velocity",
+    "effort_controllers/JointGroupEffortController": "effort",
+    "diff_drive_controller/DiffDriveController": "velocity",
+}
+"""Controllers that command one interface, whatever their parameters say."""
+_TRAJECTORIES = "joint_trajectory_controller/JointTrajectoryController"
+_NAMED = {
+    _TRAJECTORIES: "command_interfaces",
+    "forward_command_controller/ForwardCommandController": "interface_name",
+}
+"""Controllers whose parameters name what they command."""
+_JOINTS = ("command_joints", "joints", *_WHEELS)
+_STEERING = frozenset(
+    f"{kind}_steering_controller/{kind.title()}SteeringController"
+    for kind in ("ackermann", "bicycle", "tricycle")
+)
+"""Controllers that steer some joints and turn others."""
+_STEERED = ("steering_joints_names", "steering_joint_name", "front_wheels_names")
+_TURNED = ("traction_joints_names", "traction_joint_name", "rear_wheels_names")
+
+
+class Demand(NamedTuple):
+    """An interface of a joint that a controller claims."""
+
+    controller: str
+    joint: str
+    interface: str
+    steers: bool = False
+    """Does it steer the robot by the joint, to the left by positive angles?"""
+    reads: bool = False
+    """Does it read a state there, and gives no command?"""
+
+
+def demands_of(document: Document, names: Iterable[str]) -> tuple[Demand, ...]:
+    """The interfaces that all controllers claim in the files that a robot names."""
+    folder = os.path.dirname(os.path.abspath(document.path))
+    found: list[Demand] = []
+    for name in sorted({name for name in names if name.endswith((".yaml", ".yml")) and "$" not in name}):
+        found += demands(_content(os.path.join(folder, name.removeprefix("file://")), document))
+    return tuple(found)
+
+
+def demands(content: object) -> Iterator[Demand]:
+    """The interfaces that the controllers in a file claim."""
+    kinds: dict[str, str] = {}
+    nodes = dict(_nodes(content))
+    for node, parameters in nodes.items():
+        own = parameters.get("type")
+        if isinstance(own, str):
+            kinds[node] = own
+        for name, value in parameters.items():
+            kind = value.get("type") if isinstance(value, dict) else None
+            if isinstance(kind, str):
+                kinds[str(name)] = kind
+    for name, parameters in nodes.items():
+        kind = kinds.get(name, "")
+        named = _words(parameters.get(_NAMED[kind])) if kind in _NAMED else []
+        interfaces = [_FIXED[kind]] if kind in _FIXED else named
+        key = next((key for key in _JOINTS if parameters.get(key)), "")
+        keys = _WHEELS if key in _WHEELS else (key,)
+        read = _words(parameters.get("state_interfaces")) if kind == _TRAJECTORIES else []
+        for joint in (joint for each in keys for joint in _words(parameters.get(each))):
+            yield from (Demand(name, joint, interface) for interface in interfaces)
+            yield from (Demand(name, joint, interface, reads=True) for interface in read)
+        if kind in _STEERING or kind == "tricycle_controller/TricycleController":
+            yield from _steering(name, parameters)
+
+
+def _steering(name: str, parameters: Mapping[Any, Any]) -> Iterator[Demand]:
+    """The commands of a controller of a car: angles in front and speeds behind, or the other way about."""
+    is_front = parameters.get("front_steering", True) is not False
+    for key in (*_STEERED, *_TURNED):
+        steers = (key in _STEERED) is (is_front or not key.endswith("wheels_names"))
+        for joint in _words(parameters.get(key)):
+            yield Demand(name, joint, "position" if steers else "velocity", steers)
+
+
+def _nodes(content: object, name: str = "") -> Iterator[tuple[str, Mapping[Any, Any]]]:
+    """The nodes of a file with their parameters, also those below a namespace."""
+    for key, value in content.items() if isinstance(content, dict) else ():
+        parameters = value.get("ros__parameters") if isinstance(value, dict) else None
+        if isinstance(parameters, dict):
+            yield str(key).strip("/").rpartition("/")[2], parameters
+        elif isinstance(value, dict) and not name:
+            yield from _nodes(value, str(key))
+
+
+def _words(value: object) -> list[str]:
+    """The texts of a list, or one alone; none where something is to be filled in."""
+    words = value if isinstance(value, list) else [value]
+    return [word for word in words if isinstance(word, str) and "$" not in word and "<" not in word]
+
+
+def _content(path: str, document: Document) -> object:
+    """The content of a YAML file; None for one that cannot be read."""
+    library = library_of(document)
+    if library is None or not os.path.isfile(path):
+        return None
+    import yaml
+
+    try:
+        data = read_regular(Path(path), _MOST_OF_CONTROLLERS, library.around(document.path))
+        return None if b"<<" in data else yaml.safe_load(data)  # merged maps can be made to grow without end
+    except (OSError, ValueError, RecursionError, yaml.YAMLError):
+        return None
