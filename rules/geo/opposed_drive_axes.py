@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Joint, Plugin, Rule, Severity
+from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Joint, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 STEERED = "".join(
@@ -24,12 +24,29 @@ def steered(*, left: str, right: str) -> str:
     )
 
 
+CONTROLLED = (
+    '<robot name="r"><link name="base"/>'
+    + STEERED.format(left="{}", right="{}")
+    + '<ros2_control name="c" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+    + "".join(
+        f'<joint name="{side}_steer"><command_interface name="position"/></joint>'
+        for side in ("left", "right")
+    )
+    + '</ros2_control><gazebo><plugin filename="gz_ros2_control-system" '
+    'name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>car.yaml</parameters></plugin></gazebo></robot>'
+)
+CAR = {
+    "car.yaml": "car: {ros__parameters: {type: ackermann_steering_controller/AckermannSteeringController, "
+    "front_wheels_names: [left_steer, right_steer]}}\n"
+}
+
+
 class OpposedDriveAxes(Rule):
     """The wheels of a drive turn in opposite directions, or its steering turns the other way.
 
     The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
     and drives on the command to turn. It steers to the left by positive angles: about an axis that points down they
-    steer to the right.
+    steer to the right. So do the controllers of ros2_control that steer, where a plugin names their file.
     """
 
     code = "GEO010"
@@ -41,7 +58,7 @@ class OpposedDriveAxes(Rule):
     its pose needs `0 -1 0`. The speed is positive forwards when the axes point to the left of the robot.
     Signs in controllers that made up for the difference have to go with it.
     """
-    looks_at = (Plugin,)
+    looks_at = (Plugin, ControlComponent)
 
     bad = (
         Bad(
@@ -53,15 +70,30 @@ class OpposedDriveAxes(Rule):
             steered(left="«0 0 -1»", right="0 0 -1"),
             says="the axis of `left_steer` points down: a command to turn left steers to the right",
         ),
+        Bad(
+            CONTROLLED.format("«0 0 -1»", "0 0 1"),
+            files=CAR,
+            says="the axis of `left_steer` points down: a command to turn left steers to the right",
+        ),
     )
-    good = (Good(rover()), Good(steered(left="0 0 1", right="0 0 1")))
+    good = (
+        Good(rover()),
+        Good(steered(left="0 0 1", right="0 0 1")),
+        Good(CONTROLLED.format("0 0 1", "0 0 1"), files=CAR),
+    )
 
     @staticmethod
-    def applies(plugin: Plugin) -> bool:
-        return bool(opposed(plugin) or hanging(plugin))
+    def applies(part: Plugin | ControlComponent) -> bool:
+        return bool(opposed(part) or hanging(part)) if isinstance(part, Plugin) else turned(part) is not None
 
-    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        drive = plugin.drive
+    def check(self, part: Plugin | ControlComponent) -> Iterator[Diagnostic]:
+        down = "points down: a command to turn left steers to the right"
+        if isinstance(part, ControlComponent):
+            steered = turned(part)
+            assert steered is not None
+            yield self.diagnostic(steered.axis.xyz, f"the axis of `{steered.name}` {down}")
+            return
+        plugin, drive = part, part.drive
         for joint in opposed(plugin)[:1]:
             assert drive is not None
             yield self.diagnostic(
@@ -71,8 +103,19 @@ class OpposedDriveAxes(Rule):
                 labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
             )
         for joint in hanging(plugin)[:1]:
-            message = f"the axis of `{joint.name}` points down: a command to turn left steers to the right"
+            message = f"the axis of `{joint.name}` {down}"
             yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
+
+
+def turned(component: ControlComponent) -> Joint | None:
+    """The joint that a controller steers by, if its axis points down and it is the first such of its robot."""
+    joint = component.joint if any(claim.steers for claim in component.claims) else None
+    direction = joint.direction if joint is not None else None
+    if direction is None or direction[2] > -0.5:
+        return None
+    names = list(component.block.joints)
+    before = (component.block.joints[name] for name in names[: names.index(component.name)])
+    return None if any(turned(other) is not None for other in before) else joint
 
 
 def hanging(plugin: Plugin) -> list[Joint]:

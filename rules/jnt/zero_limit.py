@@ -9,6 +9,15 @@ FINGER = (
     '<link name="{0}"/><joint name="{0}_flex" type="revolute"><parent link="palm"/><child link="{0}"/>'
     '<axis xyz="0 1 0"/><limit lower="0" upper="1" effort="{1}" velocity="1"/></joint>'
 )
+TURN = (
+    '<link name="{1}"/><joint name="{1}_turn" type="revolute"><parent link="{0}"/><child link="{1}"/>'
+    '<limit lower="0" upper="1" effort="5" velocity="2"/></joint>'
+)
+SLOW = (
+    f'<robot name="r"><link name="a"/>{TURN.format("a", "b")}{TURN.format("b", "c")}<link name="d"/>'
+    '<joint name="lift" type="prismatic"><parent link="c"/><child link="d"/>'
+    '<limit lower="0" upper="1" effort="5" velocity="{}"/></joint></robot>'
+)
 
 
 def hand(*efforts: str) -> str:
@@ -20,13 +29,15 @@ def hand(*efforts: str) -> str:
 
 
 class ZeroLimit(Rule):
-    """The effort and the velocity of a joint are limited to zero, so that nothing can drive it.
+    """The effort and the velocity of a joint are limited to zero, or the velocity alone.
 
     Exporters write 0 where nobody has entered a number. Controllers, planners and programs that read the limits, as
     those for PyBullet and Isaac do, take it as the limit that it is; a joint that only swings freely is not affected.
-    Where its counterparts have other limits (the same joint of the other side, or of the other fingers), 0 is a
-    mistake and a warning, also if it is one of the two alone. Where something drives the joint, powerless-joint says
-    so.
+    A velocity of 0 beside an effort does not count for MoveIt, which then cannot time a motion unless
+    `joint_limits.yaml` has a limit, and keeps the joint still in Drake; it is reported where most joints of the robot
+    have a velocity. Where the counterparts of a joint have other limits (the same joint of the other side, or of the
+    other fingers), 0 is a mistake and a warning, also if it is one of the two alone. Where something drives the joint,
+    powerless-joint says so.
     """
 
     code = "JNT016"
@@ -53,12 +64,18 @@ class ZeroLimit(Rule):
             says="effort and velocity of joint `j` are limited to 0",
         ),
         Bad(
+            SLOW.format("«0»"),
+            scaffold="{}",
+            says="velocity of joint `lift` is limited to 0",
+        ),
+        Bad(
             hand("1", "«0»", "1"),
             scaffold="{}",
             says="effort of joint `ring_flex` is limited to 0, and that of joint `index_flex` to 1",
         ),
     )
     good = (
+        Good(SLOW.format("0").replace('"2"', '"0"'), scaffold="{}", why="nobody wrote a velocity"),
         Good(hand("0", "0", "1"), scaffold="{}", why="passive, as others are"),
         Good("<axis><xyz>0 0 1</xyz><limit><effort>-1</effort></limit></axis>", why="no limit"),
         Good("<axis><xyz>0 0 1</xyz><limit><effort>0</effort></limit></axis>", why="passive, in Drake"),
@@ -72,7 +89,7 @@ class ZeroLimit(Rule):
             return False
         if limit.axis.limit is not limit or limit.joint.driver is not None:
             return False
-        return len(found) > 1 or unlike(limit, found) is not None
+        return len(found) > 1 or is_slow(limit, found) or unlike(limit, found) is not None
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         found = zeros(limit)
@@ -87,6 +104,16 @@ class ZeroLimit(Rule):
         message += f", and {'those' if len(found) > 1 else 'that'} of {other.joint.title} to {there}"
         labels = {its[0]: "its counterpart"}
         yield self.diagnostic(first, message, labels=labels, severity=Severity.WARNING)
+
+
+def is_slow(limit: Limit, found: Mapping[str, Number]) -> bool:
+    """Is the velocity alone 0, in URDF, beside an effort that somebody wrote, where most joints have one?"""
+    if "velocity" not in found or not limit.joint.is_urdf or not limit.effort > 0:
+        return False
+    model = limit.joint.model
+    joints = model.joints if model is not None else ()
+    velocities = [other.axis.limit.velocity for other in joints if other.moves and other.type in LIMITED]
+    return 2 * sum(velocity > 0 for velocity in velocities) > len(velocities)
 
 
 def is_locked(limit: Limit) -> bool:

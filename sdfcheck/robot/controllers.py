@@ -1,4 +1,4 @@
-"""What controllers of ros2_control need of a robot, by the file of parameters that a plugin of Gazebo names.
+"""Joints and sensors that controllers of ros2_control ask for, by the file of parameters that a plugin of Gazebo names.
 
 Source: the parameters that ros2_controllers declare, humble to rolling. Of a parameter file nothing is made but texts
 with their places; substitutions in it are not known.
@@ -7,7 +7,7 @@ with their places; substitutions in it are not known.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -38,9 +38,12 @@ class Kind(NamedTuple):
     states: str = ""
     command: str = ""
     sensor: str = ""
+    steered: tuple[str, ...] = ()
+    """Parameters that name joints which steer, to the left by positive angles."""
 
 
 _GROUP = ("joints",)
+_CAR = Kind(("traction_joints_names",), command="velocity", steered=("steering_joints_names",))
 _KINDS: Mapping[str, Kind] = {
     "joint_trajectory_controller/JointTrajectoryController": Kind(
         _GROUP, "command_interfaces", "state_interfaces"
@@ -52,12 +55,22 @@ _KINDS: Mapping[str, Kind] = {
     "diff_drive_controller/DiffDriveController": Kind(
         ("left_wheel_names", "right_wheel_names"), command="velocity"
     ),
+    "ackermann_steering_controller/AckermannSteeringController": _CAR,
+    "bicycle_steering_controller/BicycleSteeringController": _CAR,
+    "tricycle_steering_controller/TricycleSteeringController": _CAR,
+    "tricycle_controller/TricycleController": Kind(
+        ("traction_joint_name",), command="velocity", steered=("steering_joint_name",)
+    ),
     "position_controllers/GripperActionController": Kind(("joint",), command="position"),
     "effort_controllers/GripperActionController": Kind(("joint",), command="effort"),
     "parallel_gripper_action_controller/GripperActionController": Kind(("joint",), command="position"),
     "imu_sensor_broadcaster/IMUSensorBroadcaster": Kind(sensor="sensor_name"),
     "force_torque_sensor_broadcaster/ForceTorqueStateBroadcaster": Kind(sensor="sensor_name"),
 }
+_OWN_JOINTS = "command_joints"
+"""The parameter that names the joints of the hardware where they are called otherwise than those of a trajectory."""
+_ENDS = ("rear_wheels_names", "front_wheels_names")
+"""The former names of the parameters of cars: the wheels that drive and those that steer, or the other way about."""
 
 
 class ControllerNeed(NamedTuple):
@@ -69,10 +82,12 @@ class ControllerNeed(NamedTuple):
     span: Span
     interface: str = ""
     is_command: bool = False
+    steers: bool = False
+    """Does the controller steer the robot by the joint, to the left by positive angles?"""
 
 
 def needs_of(document: Document, address: str) -> tuple[ControllerNeed, ...]:
-    """What the controllers of a file of parameters need; nothing where the file cannot be read as one."""
+    """The needs of the controllers in a file of parameters; none where the file cannot be read as one."""
     library = library_of(document)
     if library is None or not address.endswith((".yaml", ".yml")) or "$" in address:
         return ()
@@ -99,20 +114,38 @@ def _needs(source: Source) -> Iterator[ControllerNeed]:
 
 
 def _of_controller(source: Source, name: str, kind: Kind, parameters: Any) -> Iterator[ControllerNeed]:
-    """What one controller needs."""
+    """The needs of one controller."""
     for scalar in _texts(_get(parameters, kind.sensor)) if kind.sensor else ():
         yield ControllerNeed(name, "sensor", scalar.value, _span(source, scalar))
     commands = [scalar.value for scalar in _texts(_get(parameters, kind.commands))] if kind.commands else []
     states = [scalar.value for scalar in _texts(_get(parameters, kind.states))] if kind.states else []
     wanted = [(each, True) for each in (*commands, kind.command) if each] + [(each, False) for each in states]
-    for parameter in kind.joints:
-        for scalar in _texts(_get(parameters, parameter)):
-            span = _span(source, scalar)
-            yield ControllerNeed(name, "joint", scalar.value, span)
-            yield from (
-                ControllerNeed(name, "joint", scalar.value, span, each, is_command)
-                for each, is_command in wanted
-            )
+    driven, steered = _joints(kind, parameters)
+    for scalar in driven:
+        yield from _of_joint(source, name, scalar, wanted)
+    for scalar in steered:
+        yield from _of_joint(source, name, scalar, [("position", True)], steers=True)
+
+
+def _of_joint(
+    source: Source, name: str, scalar: Any, wanted: Iterable[tuple[str, bool]], *, steers: bool = False
+) -> Iterator[ControllerNeed]:
+    span = _span(source, scalar)
+    yield ControllerNeed(name, "joint", scalar.value, span)
+    for interface, is_command in wanted:
+        yield ControllerNeed(name, "joint", scalar.value, span, interface, is_command, steers)
+
+
+def _joints(kind: Kind, parameters: Any) -> tuple[list[Any], list[Any]]:
+    """The joints that a controller moves, and those by which it steers."""
+    if kind.joints == _GROUP and (own := _texts(_get(parameters, _OWN_JOINTS))):
+        return own, []
+    driven = [scalar for each in kind.joints for scalar in _texts(_get(parameters, each))]
+    steered = [scalar for each in kind.steered for scalar in _texts(_get(parameters, each))]
+    if kind is _CAR and not driven and not steered:
+        is_front = [scalar.value for scalar in _texts(_get(parameters, "front_steering"))] != ["false"]
+        driven, steered = (_texts(_get(parameters, each)) for each in (_ENDS if is_front else _ENDS[::-1]))
+    return driven, steered
 
 
 # YAML as nodes: nothing in it is constructed.

@@ -1861,7 +1861,7 @@ class Plugin(Part):
 
     @lazy
     def controller_needs(self) -> tuple[ControllerNeed, ...]:
-        """What the controllers in its file of parameters ask of ros2_control."""
+        """The joints and sensors that the controllers in its file of parameters ask for."""
         value = next((each.own_value for each in self.children("parameters")), None)
         if value is None or "$" in _FOUND.sub("", value.span.text):  # an argument gives another file
             return ()
@@ -2557,6 +2557,11 @@ class ControlComponent(Part):
         """The joint of the robot that it drives or reads; None without one."""
         return self.model.joints_by_name.get(self.name) if self.what == "joint" and self.name else None
 
+    @property
+    def claims(self) -> Sequence[ControllerNeed]:
+        """The interfaces of a joint that the controllers claim whose file the simulator's plugin names."""
+        return self.model.claims.get(self.name, ()) if self.what == "joint" else ()
+
     @lazy
     def sensor(self) -> Sensor | None:
         """The simulated sensor of its name."""
@@ -3243,7 +3248,7 @@ _DRIVING = ("drive", "controller", "steering", "thruster")
 
 
 _FOUND = re.compile(r"\$\(find [^()]*\)")
-_NAMED_IN = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
+_NAMED_JOINT = r"<joint\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A name where xacro has not expanded it."""
 
 
@@ -3262,6 +3267,18 @@ class Model(Scope):
         self.include: Element | None = None
         """The ``include`` that brought it, if one did."""
         self.is_urdf = self.element.name == "robot"
+
+    @lazy
+    def controller_needs(self) -> tuple[tuple[Plugin, ControllerNeed], ...]:
+        """The joints and sensors that controllers ask for, each with the plugin that names their file."""
+        plugins = (plugin for plugin in self.plugins if "ros2_control" in plugin.filename)
+        return tuple((plugin, need) for plugin in plugins for need in plugin.controller_needs)
+
+    @lazy
+    def claims(self) -> dict[str, list[ControllerNeed]]:
+        """Joint → its interfaces that controllers claim."""
+        claimed = (need for _, need in self.controller_needs if need.interface)
+        return grouped(claimed, lambda need: need.name)
 
     @property
     def place(self) -> Element:
@@ -3318,46 +3335,29 @@ class Model(Scope):
 
     @property
     def unmet_needs(self) -> Iterator[tuple[Plugin, ControllerNeed]]:
-        """What controllers ask for and its ``ros2_control`` blocks do not have, where all of these are known.
+        """The joints and sensors that controllers ask for and its ``ros2_control`` blocks do not have.
 
         A file of parameters may be for several robots: a controller without any joint of this one counts only if there
-        is no other that has one.
+        is no other that has one, and a sensor only if there is another one.
         """
         if not self.ros2_control or self.document.is_open:
             return
         sensors = {
             each.name for block in self.ros2_control for each in block.components if each.what == "sensor"
         }
-        for plugin in self.plugins:
-            needs = plugin.controller_needs if "ros2_control" in plugin.filename else ()
-            known = {need.controller for need in needs if need.name in self.control_joints}
-            for need in needs:
-                if need.interface and need.name in self.control_joints:
-                    if not self._may_have(need):
-                        yield plugin, need
-                elif need.what == "sensor":
-                    if sensors and need.name not in sensors:
-                        yield plugin, need
-                elif (
-                    not need.interface and (need.controller in known or not known) and self._lacks(need.name)
-                ):
+        known = {need.controller for _, need in self.controller_needs if need.name in self.control_joints}
+        for plugin, need in self.controller_needs:
+            if need.what == "sensor":
+                if sensors and need.name not in sensors:
                     yield plugin, need
+            elif not need.interface and (need.controller in known or not known) and self._lacks(need.name):
+                yield plugin, need
 
     def _lacks(self, name: str) -> bool:
         """Has no block a joint of a name, whatever the arguments are?"""
         is_prefixed = self.document.is_expanded and name.endswith(tuple(filter(None, self.control_joints)))
-        return (
-            name not in self.control_joints
-            and not is_prefixed
-            and not self.document.may_name(_NAMED_IN.format("joint"), name)
-        )
-
-    def _may_have(self, need: ControllerNeed) -> bool:
-        """Has a joint an interface in a block, or could it have one with other arguments?"""
-        all_of = [each for joint in self.control_joints[need.name] for each in joint.interfaces]
-        given = {each.name.removesuffix("_pid") for each in all_of if each.is_command == need.is_command}
-        pattern = _NAMED_IN.format("command_interface" if need.is_command else "state_interface")
-        return need.interface in given or self.document.may_name(pattern, need.interface)
+        is_there = name in self.control_joints or is_prefixed
+        return not is_there and not self.document.may_name(_NAMED_JOINT, name)
 
     @lazy
     def poses_at_rest(self) -> dict[Link, Origin]:

@@ -90,6 +90,8 @@ class Semantics:
         self.namesake: Model | None = None
         self.has_kinematics = False
         """Has its package the solvers of MoveIt's groups? Others read SRDF too, Pinocchio only poses of joints."""
+        self.chained: frozenset[str] = frozenset()
+        """The groups whose solver is that of KDL, which solves chains."""
 
     @property
     def span(self) -> Span:
@@ -165,6 +167,23 @@ class Semantics:
                 yield value, f"group `{parent}` does not have link `{link}`"
             elif not carriers and self.has_kinematics:
                 yield value, f"no other group has link `{link}`"
+
+    @property
+    def branched_chains(self) -> Iterator[tuple[Value, str, str]]:
+        """The groups whose solver is for chains and whose joints branch: their name, and two such joints."""
+        above = {joint.child_name: joint for robot in self.robots for joint in robot.joints}
+        for name, group in self.groups.items():
+            value, links = group.attribute("name"), self.links_of.get(name, frozenset())
+            if name not in self.chained or value is None:
+                continue
+            first: dict[str, str] = {}
+            for link in sorted(link for link in links if link in above):
+                joint = above[link]
+                before = _before(joint, links, above)
+                other = first.setdefault(before, joint.name)
+                if other != joint.name:
+                    yield value, other, joint.name
+                    break
 
     @property
     def adjacent_pairs(self) -> Iterator[Element]:
@@ -525,6 +544,14 @@ def _has_no_joint(part: Element) -> bool:
     return part.name == "chain" and bool(ends[0]) and ends[0] == ends[1] and not is_expression(ends[0])
 
 
+def _before(joint: Joint, links: Collection[str], above: Mapping[str, Joint]) -> str:
+    """The link of a group whose joint is before one, but for joints that are fixed; empty if there is none."""
+    link, steps_left = joint.parent_name, len(above)
+    while link not in links and link in above and above[link].type == "fixed" and steps_left:
+        link, steps_left = above[link].parent_name, steps_left - 1
+    return link if link in links and link in above else ""
+
+
 def _way_up(link: str, above: Mapping[str, str]) -> Iterator[str]:
     """A link and those above it, up to the root."""
     seen = set()
@@ -618,6 +645,7 @@ _DECLARED = re.compile(
 _DECLARED_FILE = re.compile(r"^ *srdf:[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE)
 _GIVEN = re.compile(r"^ *xacro_args: *(.*(?:\n(?! *\w+:[^=]).*)*)", re.MULTILINE)
 _ARGUMENT = re.compile(r"(\w+):=(?:\"([^\"]*)\"|'([^']*)'|([^\s\"']*))")
+_FOR_CHAINS = "kdl_kinematics_plugin/KDLKinematicsPlugin"
 _NO_ARGUMENTS: Mapping[str, str] = {}
 _FEWEST = 0.5
 """A robot is not the one that is meant if it has fewer of the names."""
@@ -640,10 +668,9 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         return
     path, is_complete = semantics.document.path, True
     own = Packages(_package(path))
-    if any(True for _ in semantics.element.children("end_effector")):
-        semantics.has_kinematics = any(
-            file.name == "kinematics.yaml" for file in own.files(".yaml", MOST_FILES)
-        )
+    solvers = [file for file in own.files(".yaml", MOST_FILES) if file.name == "kinematics.yaml"]
+    semantics.has_kinematics = bool(solvers)
+    semantics.chained = _chained(solvers)
     if _is_elsewhere(path, library.packages(path)):
         return
     for robot in _declared_robots(semantics, library, expand):
@@ -663,6 +690,22 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         alike = _called_alike(semantics, own)
         semantics.robots = () if alike is None else (alike,)
         semantics.namesake = _declared_namesake(semantics, library, expand) or _namesake(semantics, own)
+
+
+def _chained(solvers: Sequence[Path]) -> frozenset[str]:
+    """The groups for which MoveIt's only file of solvers names that of KDL."""
+    try:
+        text = read_regular(solvers[0]).decode("utf-8", "replace") if len(solvers) == 1 else ""
+    except OSError:
+        return frozenset()
+    group, found = "", set()
+    for line in text.splitlines():
+        key, colon, value = (part.strip() for part in line.partition("#")[0].partition(":"))
+        if key == "kinematics_solver" and value.strip("\"'") == _FOR_CHAINS:
+            found.add(group)
+        elif colon and not value:
+            group = key.strip("\"'")
+    return frozenset(found)
 
 
 def _extended(semantics: Semantics, meant: Model, own: Packages, expand: Expand | None) -> tuple[Model, ...]:

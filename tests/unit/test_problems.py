@@ -179,6 +179,20 @@ FIN = """<link name="rudder"><pose>-0.2 0 0 0 0 0</pose><inertial><mass>0.02</ma
 <joint_name>rudder_joint</joint_name></plugin>"""
 LIFT = """<plugin filename="gz-sim-lift-drag-system" name="gz::sim::systems::LiftDrag"><area>0.1</area>{}
 <link_name>hull</link_name></plugin>"""
+DIFFERENTIAL = """<ros2_control name="all" type="system">
+<hardware><plugin>mock_components/GenericSystem</plugin></hardware>
+<joint name="roll"><command_interface name="position"/><state_interface name="position"/></joint>
+<joint name="pitch"><command_interface name="position"/><state_interface name="position"/></joint>
+<transmission name="t"><plugin>transmission_interface/DifferentialTransmission</plugin>
+<actuator name="m1" role="actuator1"/><actuator name="m2" role="actuator2"/>
+@@</transmission></ros2_control>
+"""
+KNUCKLE = """<link name="knuckle"><inertial><mass value="0.2"/>
+<inertia ixx="0.0002" iyy="0.0002" izz="0.0002" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="steer" type="revolute"><parent link="body"/><child link="knuckle"/>
+<origin xyz="0.15 0 0" rpy="-1.5708 0 0"/>
+<axis xyz="@@"/><limit lower="-1" upper="1" effort="9" velocity="2"/></joint>
+"""
 PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
 XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -1674,6 +1688,161 @@ PROBLEMS = {
         "<min_angle>0</min_angle><max_angle>0</max_angle>",
         "<min_angle>-0.2</min_angle><max_angle>0.2</max_angle>",
         suffix=".sdf",
+    ),
+    # Threads of a fifth set
+    "an inertial sensor hangs on nothing": Problem(
+        "FRM012",
+        model(
+            f'<link name="base_link">{SDF_BODY}</link>\n<link name="imu_link"><pose>0 0 0.07 0 0 0</pose>'
+            '<sensor name="imu" type="imu"><topic>imu</topic></sensor></link>\n@@'
+        ),
+        "",
+        '<joint name="j" type="fixed"><parent>base_link</parent><child>imu_link</child></joint>',
+        -1,
+        suffix=".sdf",
+    ),
+    "a lidar sees from the middle of itself on": Problem(
+        "SCH039",
+        model(
+            f'<link name="l">{SDF_BODY}<sensor name="s" type="gpu_lidar"><topic>scan</topic>\n'
+            f"<lidar>{SCAN.replace('0.1', '@@')}</lidar></sensor></link>"
+        ),
+        "0.0",
+        "0.08",
+        suffix=".sdf",
+    ),
+    "a topic begins with a digit": Problem(
+        "SCH040",
+        robot(
+            CART,
+            '<gazebo reference="body"><sensor name="s" type="imu">\n<topic>@@</topic></sensor></gazebo>',
+        ),
+        "sensors/9axis",
+        "sensors/imu",
+    ),
+    "the joints of a differential are exchanged": Problem(
+        "R2C038",
+        robot(ARM, WRIST.replace("@@", "0.06"), DIFFERENTIAL),
+        '<joint name="pitch" role="joint2"/> <joint name="roll" role="joint1"/>',
+        '<joint name="roll" role="joint1"/> <joint name="pitch" role="joint2"/>',
+    ),
+    "a controller commands what its joint does not take": Problem(
+        "R2C039",
+        robot(
+            ARM,
+            CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder").replace("position", "@@", 1),
+            CONTROLLED,
+        ),
+        "effort",
+        "position",
+        files={
+            "c.yaml": "arm: {ros__parameters: {type: joint_trajectory_controller/JointTrajectoryController,"
+            " joints: [shoulder], command_interfaces: [position]}}\n"
+        },
+    ),
+    "a controller reads what its joint does not measure": Problem(
+        "R2C040",
+        robot(
+            ARM,
+            CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder").replace("<state_", "@@<state_"),
+            CONTROLLED,
+        ),
+        "",
+        '<state_interface name="velocity"/>',
+        -1,
+        files={
+            "c.yaml": "arm: {ros__parameters: {type: joint_trajectory_controller/JointTrajectoryController,"
+            " joints: [shoulder], command_interfaces: [position], state_interfaces: [position, velocity]}}\n"
+        },
+    ),
+    "a controller steers a car to the wrong side": Problem(
+        "GEO010",
+        robot(
+            CART,
+            KNUCKLE,
+            CONTROL.format("gz_ros2_control/GazeboSimSystem", "steer"),
+            CONTROLLED,
+        ),
+        "0 1 0",
+        "0 -1 0",
+        files={
+            "c.yaml": "car: {ros__parameters: {type: tricycle_controller/TricycleController,"
+            " steering_joint_name: steer}}\n"
+        },
+    ),
+    "a kingpin leans on one side": Problem(
+        "JNT036",
+        robot(CART.replace('<origin xyz="0 -0.15 0"/>', '\n<origin xyz="0 -0.15 0" rpy="@@ 0 0"/>')),
+        "0.089",
+        "0",
+    ),
+    "an arm and its fingers are solved as one chain": Problem(
+        "SRD013",
+        '<robot name="bot">\n<group name="arm">@@</group>\n</robot>',
+        '<joint name="shoulder"/><joint name="grip"/><joint name="grip2"/>',
+        '<chain base_link="base" tip_link="finger"/>',
+        suffix=".srdf",
+        files={
+            "bot.urdf": robot(ARM, FINGER, FINGER.replace('finger"', 'finger2"').replace('grip"', 'grip2"')),
+            "kinematics.yaml": "arm:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n",
+        },
+    ),
+    "an arm is its own end effector": Problem(
+        "SRD009",
+        f'<robot name="bot">\n{SEMANTICS}<end_effector name="e" parent_link="upper" group="@@"/>\n</robot>',
+        "arm",
+        "tool",
+        suffix=".srdf",
+        files={"bot.urdf": robot(ARM, FINGER), "kinematics.yaml": "arm: {}\n"},
+    ),
+    "a world of today has the window of Fortress": Problem(
+        "SCH042",
+        world(
+            '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
+            '<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>\n<gui>\n'
+            '<plugin filename="@@" name="view"><gz-gui><title>View</title></gz-gui></plugin>\n'
+            '<plugin filename="GzSceneManager" name="scene"/></gui>'
+        ),
+        "GzScene3D",
+        "MinimalScene",
+        suffix=".sdf",
+    ),
+    "a bumper names the collision of another robot": Problem(
+        "RES011",
+        robot(
+            ARM,
+            '<gazebo reference="upper"><sensor name="s" type="contact"><contact>\n<collision>@@</collision></contact>'
+            "</sensor></gazebo>",
+        ),
+        "collision",
+        "upper_collision",
+    ),
+    "a note is behind a value": Problem(
+        "SCH010",
+        model(
+            f'<link name="l">{SDF_BODY}<sensor name="s" type="camera"><topic>c</topic><camera>'
+            "\n<horizontal_fov>1.1</horizontal_fov>@@<image><width>64</width><height>48</height></image></camera>"
+            "</sensor></link>"
+        ),
+        " # guessed",
+        "<!-- guessed -->",
+        suffix=".sdf",
+    ),
+    "a package has three slashes before it": meshed(
+        "package:@@bot/meshes/a.stl", "///", "//", "RES004"
+    )._replace(files={"meshes/a.stl": cube(), "package.xml": "<package><name>bot</name></package>"}),
+    "a wrist in the middle of an arm has no mass": Problem(
+        "URD014",
+        robot(ARM, WRIST.replace("@@", "0.06").replace('mass value="0.2"', 'mass value="@@"', 1)),
+        "0",
+        "0.2",
+    ),
+    "braces are in braces": in_xacro(
+        '<xacro:property name="w" value="0.4"/>\n<link name="a"/><link name="b"/><joint name="j" type="fixed">'
+        '<parent link="a"/><child link="b"/>\n<origin xyz="@@ 0 0"/></joint>',
+        "${w/2+${w/4}}",
+        "${w/2+w/4}",
+        "XAC010",
     ),
 }
 

@@ -1,0 +1,71 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Rule, Severity
+from sdfcheck_rules.r2c.scaffold import IN_ROBOT
+
+BLOCK = (
+    '<ros2_control name="arm" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+    '<joint name="{}"><command_interface name="position"/><state_interface name="position"/>{}</joint></ros2_control>'
+    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<parameters>controllers.yaml</parameters></plugin></gazebo>"
+)
+TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+PARAMETERS = "joints: [lift], command_interfaces: [position], state_interfaces: [{}]"
+FILE = {
+    "controllers.yaml": f"arm: {{ros__parameters: {{type: {TRAJECTORY}, {PARAMETERS.format('position, velocity')}}}}}\n"
+}
+TWO = {
+    "controllers.yaml": FILE["controllers.yaml"]
+    + f"slow: {{ros__parameters: {{type: {TRAJECTORY}, {PARAMETERS.format('position')}}}}}\n"
+}
+
+
+class UnmeasuredJoint(Rule):
+    """A controller reads a state that its joint does not have.
+
+    A controller of trajectories claims all states that its parameters name. Where one is missing, the controller
+    manager says that the state interface does not exist and does not activate the controller. Looked at are the files
+    that the simulator's plugin names.
+    """
+
+    code = "R2C040"
+    name = "unmeasured-joint"
+    severity = Severity.WARNING
+    remedy = """Add `<state_interface name="…"/>` to the joint, or remove the state from `state_interfaces`.
+
+    Simulators have `position`, `velocity` and `effort` of each joint, as far as they are listed.
+    """
+    looks_at = (ControlComponent,)
+    needs = ("<parameters",)
+    scaffold = IN_ROBOT
+
+    bad = (
+        Bad(
+            BLOCK.format("«lift»", ""),
+            files=FILE,
+            says="joint `lift` has no state `velocity`, which controller `arm` reads",
+        ),
+    )
+    good = (
+        Good(BLOCK.format("lift", '<state_interface name="velocity"/>'), files=FILE),
+        Good(BLOCK.format("lift", ""), files=TWO, why="another controller reads the position alone"),
+    )
+
+    @staticmethod
+    def applies(component: ControlComponent) -> bool:
+        return component.what == "joint" and bool(unmeasured(component))
+
+    def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
+        controller, interface = unmeasured(component)
+        message = f"{component.title} has no state `{interface}`, which controller `{controller}` reads"
+        yield self.diagnostic(component.name_value or component, message)
+
+
+def unmeasured(component: ControlComponent) -> tuple[str, ...]:
+    """A controller and the state that it does not find, where all controllers that read states lack one."""
+    own = {each.name for each in component.interfaces if not each.is_command}
+    reads = [claim for claim in component.claims if not claim.is_command]
+    lacking = {claim.controller: claim.interface for claim in reversed(reads) if claim.interface not in own}
+    if not own or not lacking or any(claim.controller not in lacking for claim in reads):
+        return ()
+    return (reads[0].controller, lacking[reads[0].controller])
