@@ -76,10 +76,9 @@ class InvalidModelConfig(Rule):
     version from the future, fails the including document (libsdformat 12 only warns of
     versions). It crashes at a version that is not a number, and where it has something to
     say of a model without a name; a missing name alone is a warning. So is a version that
-    is not that of the file, where there are several: by it a consumer may take a file that is
-    too new for it, and a missing file for an old version beside a newer one. The version of the
-    only file decides nothing, and is pointed out. So is a file that a build is to make, from a
-    template beside it or in a folder without any description.
+    is not that of the file: by it a consumer may take a file that is too new for it, and a
+    missing file for an old version beside a newer one. A file that a build is to make, from a
+    template beside it or in a folder without any description, is only pointed out.
     """
 
     code = "RES007"
@@ -214,8 +213,6 @@ class InvalidModelConfig(Rule):
                 fault is ConfigFault.MISSING_FILE and getattr(place, "element", None) is not config.chosen
             )
             severity = Severity.WARNING if is_for_others else SEVERITIES.get(fault, Severity.ERROR)
-            if fault is ConfigFault.OTHER_VERSION and not has_choice(config):
-                severity = Severity.INFO
             affects = READ if is_for_others else REACTIONS.get(fault, {})
             is_replaced = fault in (ConfigFault.MISSING_FILE, ConfigFault.OTHER_VERSION)
             fix = write_instead(near, place) if is_replaced else None
@@ -227,8 +224,3 @@ class InvalidModelConfig(Rule):
                 severity=Severity.ERROR if is_fatal else severity,
                 affects=dict.fromkeys(READ, refuses("crashes")) if is_fatal else affects,
             )
-
-
-def has_choice(config: ModelConfig) -> bool:
-    """Does the version decide which file is taken?"""
-    return sum(1 for _ in config.element.children("sdf")) > 1

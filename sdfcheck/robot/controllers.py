@@ -152,7 +152,7 @@ def _joints(kind: Kind, parameters: Any) -> tuple[list[Any], list[Any]]:
 
 
 def _composed(text: str) -> Any:
-    """The nodes of a text; None where it is no YAML."""
+    """The nodes of a text; None where it cannot be read as YAML."""
     import yaml
 
     try:
