@@ -17,7 +17,7 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 
-_LARGEST = 100_000
+_LARGEST = 64 * 1024
 """Bytes of a file of parameters that is read: yaml takes a second for so many."""
 _UNKNOWN = re.compile(r"[${}<>%]|^$")
 """A name with one of these is made later."""
@@ -156,7 +156,7 @@ def _composed(text: str) -> Any:
     import yaml
 
     try:
-        return yaml.compose(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+        return yaml.compose(text, Loader=yaml.SafeLoader)  # the one in C crashes on many brackets
     except (yaml.YAMLError, RecursionError, ValueError):
         return None
 
