@@ -20,14 +20,16 @@ PREFIX = "Gazebo/"
 COLORS = frozenset(
     """
     Black BlackTransparent Blue BlueGlow BlueLaser BlueTransparent BlueTransparentOverlay Bricks
-    CeilingTiled Chrome CloudySky CoM DarkGrey DarkMagentaTransparent DarkOrangeTransparent
-    DarkOrangeTransparentOverlay DarkYellow DepthMap FlatBlack Footway Gold Green GreenGlow
-    GreenTransparent GreenTransparentOverlay Grey GreyGradientSky GreyTransparent Indigo JointAnchor
-    LightBlueLaser LightOff LightOn Motorway Orange OrangeTransparent OrangeTransparentOverlay
-    PaintedWall Pedestrian Pioneer2Body PioneerBody Primary Purple PurpleGlow Red RedBright RedGlow
-    RedTransparent RedTransparentOverlay Residential Road Runway RustyBarrel RustySteel Secondary
-    SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow TurquoiseGlowOutline White WhiteGlow
-    WindowFrame Wood WoodFloor WoodPallet Yellow YellowGlow YellowTransparent ZincYellow
+    CameraDistortionMap CeilingTiled Chrome CloudySky CoM DarkGrey DarkMagentaTransparent
+    DarkOrangeTransparent DarkOrangeTransparentOverlay DarkYellow DepthMap FlatBlack Footway
+    GaussianCameraNoise Gold Green GreenGlow GreenTransparent GreenTransparentOverlay Grey
+    GreyGradientSky GreyTransparent Indigo JointAnchor Lane_1 Lanes_2 Lanes_4 Lanes_6 LaserScan1st
+    LaserScan2nd LightBlueLaser LightOff LightOn Motorway Orange OrangeTransparent
+    OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody PointCloud Primary
+    Purple PurpleGlow Red RedBright RedGlow RedTransparent RedTransparentOverlay Residential Road
+    Runway RustyBarrel RustySteel Secondary SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow
+    TurquoiseGlowOutline White WhiteGlow WindowFrame Wood WoodFloor WoodPallet XYZPoints Yellow
+    YellowGlow YellowTransparent ZincYellow
     """.split()
 )
 """The names in gazebo.material of Gazebo Classic; recent releases of Gazebo know most of the plain colors."""
