@@ -40,8 +40,10 @@ def needs(folder: Path, text: str | bytes, address: str = "c.yaml") -> list[tupl
         "/arm: " + GROUP.format("['lift']"),
         "space:\n  arm: " + GROUP.format('["lift"]'),
         "\ufeffarm: " + GROUP.format("[lift]"),
-        "arm:\n  ros__parameters:\n    joints:\n      - lift  # the first\n"
-        "controller_manager: {ros__parameters: {arm: {type: position_controllers/JointGroupPositionController}}}\n",
+        (
+            "arm:\n  ros__parameters:\n    joints:\n      - lift  # the first\n"
+            "controller_manager: {ros__parameters: {arm: {type: position_controllers/JointGroupPositionController}}}\n"
+        ),
     ],
 )
 def test_ways_to_write_a_controller(text: str, tmp_path: Path) -> None:
