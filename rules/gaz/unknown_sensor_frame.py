@@ -5,7 +5,6 @@ from sdfcheck import (
     ControlComponent,
     Diagnostic,
     Element,
-    GazeboBlock,
     Good,
     Model,
     Part,
@@ -112,12 +111,9 @@ def robot_of(part: Part) -> Model:
 
 def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
     """The frames of a sensor that no link has, with a prefix or without; not the link that its own block lacks."""
-    lost = {block.reference for block in part.root.each(GazeboBlock) if block.is_unresolved}
     for element in frames(part):
         name = element.content.strip()
-        if not name or "$" in name or "{" in name:
-            continue
-        if name in lost:
+        if not name or "$" in name or "{" in name or name in robot_of(part).lost_references:
             continue
         links = robot_of(part).tree.links
         is_known = (

@@ -3324,6 +3324,11 @@ class Model(Scope):
         return any(block.is_simulated for block in self.ros2_control)
 
     @lazy
+    def lost_references(self) -> frozenset[str]:
+        """The references of ``<gazebo>`` blocks that name no link or joint."""
+        return frozenset(block.reference for block in self.gazebo_blocks if block.is_unresolved)
+
+    @lazy
     def control_joints(self) -> dict[str, list[ControlComponent]]:
         """The joints of all ``ros2_control`` blocks by their names; of two of one name in a block the first."""
         found: dict[str, list[ControlComponent]] = {}

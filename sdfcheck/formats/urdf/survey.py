@@ -167,7 +167,7 @@ def lacks_parts(document: Document) -> bool:
     if len(own["link"]) > len(own["joint"]) + 1:
         return True
     blocks = (block.text_of("reference") for block in root.children("gazebo"))
-    if any(name and name not in own["link"] | own["joint"] for name in blocks):
+    if any(name and name not in own["link"] and name not in own["joint"] for name in blocks):
         return True
     visuals = (visual for link in root.children("link") for visual in link.children("visual"))
     materials = [*root.children("material"), *(each for one in visuals for each in one.children("material"))]
