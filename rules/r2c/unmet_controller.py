@@ -45,7 +45,7 @@ class UnmetController(Rule):
             ROBOT,
             files=files(TRAJECTORY, "joints: [lfit], command_interfaces: [position]"),
             says="`arm_controller` of `controllers.yaml` asks for joint `lfit`, which no `ros2_control` block of "
-            "robot `r` has, but `lift`",
+            "robot `r` has; there is `lift`",
         ),
         Bad(ROBOT, files=files("velocity_controllers/JointGroupVelocityController", "joints: [wheel]")),
         Bad(ROBOT, files=files(IMU, "sensor_name: imu_sensor"), says="asks for sensor `imu_sensor`"),
@@ -74,7 +74,7 @@ class UnmetController(Rule):
             near = suggest(need.name, robot.control_joints) if need.what == "joint" else None
             message = (
                 f"`{need.controller}` of `{need.span.source.path.name}` asks for {need.what} `{need.name}`, which no "
-                f"`ros2_control` block of {robot.title} has{f', but `{near}`' if near else ''}"
+                f"`ros2_control` block of {robot.title} has{f'; there is `{near}`' if near else ''}"
             )
             yield self.diagnostic(
                 next(plugin.children("parameters")), message, labels={need.span: "asked for here"}

@@ -100,7 +100,7 @@ def needs_of(document: Document, address: str) -> tuple[ControllerNeed, ...]:
         text = library.read(path, document, _LARGEST).decode("utf-8-sig")
     except (OSError, UnicodeDecodeError):
         return ()
-    return tuple(islice(_needs(Source(Path(path), text)), _MOST))
+    return tuple(islice(_needs(Source(Path(path), text, is_foreign=True)), _MOST))
 
 
 def _needs(source: Source) -> Iterator[ControllerNeed]:
