@@ -4,6 +4,9 @@ from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Resource, Root, Rule, 
 
 RELATIVE = ""
 MODEL = "model"
+PLAIN = "/"
+WORDS = {RELATIVE: "a relative path", MODEL: "`model://`", PLAIN: "a path without `file://`"}
+OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 
 
@@ -11,8 +14,8 @@ class UnportableMeshUri(Rule):
     """The address of a mesh in a URDF is one that not all consumers of URDF resolve.
 
     ROS programs such as RViz know `package://`, `file://` and web addresses; a relative
-    path or `model://` shows no mesh there. Drake, MuJoCo and Gazebo do resolve relative
-    paths. Reported once for each kind of address.
+    path, `model://`, or the bare path that xacro makes of `$(find arm)/meshes/arm.stl` shows no mesh there. Drake,
+    MuJoCo and Gazebo do resolve paths. Reported once for each kind of address.
     """
 
     code = "RES013"
@@ -33,6 +36,14 @@ class UnportableMeshUri(Rule):
             MESH.format("«model://arm/a.stl»") + MESH.format("model://arm/b.stl"),
             says="(used 2 times) is not resolved",
         ),
+        Bad(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="l">'
+            f"{MESH.format('«$(find arm)/meshes/arm.obj»')}</link></robot>",
+            scaffold="{}",
+            file="urdf/arm.urdf.xacro",
+            files={"package.xml": "<package><name>arm</name></package>", "meshes/arm.obj": OBJ},
+            says="a path without `file://` is not resolved by ROS programs",
+        ),
     )
     good = (Good(MESH.format("package://arm/meshes/arm.stl")), Good(MESH.format("file:///opt/arm.stl")))
 
@@ -42,10 +53,9 @@ class UnportableMeshUri(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         schemes = [scheme(resource) for resource in root.resources]
-        for kind in (RELATIVE, MODEL):
+        for kind, what in WORDS.items():
             uses = [resource for resource, own in zip(root.resources, schemes, strict=True) if own == kind]
             if uses:
-                what = f"`{kind}://`" if kind else "a relative path"
                 message = f"{what}{used(len(uses))} is not resolved by ROS programs"
                 yield self.diagnostic(uses[0].uri_value, message)
 
@@ -53,7 +63,9 @@ class UnportableMeshUri(Rule):
 def scheme(resource: Resource) -> str | None:
     """The scheme of an address that ROS programs do not resolve; None for others, and for what is malformed."""
     uri = resource.uri
-    if not resource.is_urdf or uri.startswith("/") or "$" in uri or "\\" in uri:
+    if uri.startswith("/") and resource.is_urdf and resource.uri_value is not None:
+        return PLAIN if resource.uri_value.span.text.startswith("$(find") else None
+    if not resource.is_urdf or "$" in uri or "\\" in uri:
         return None
     head, delimiter, _ = uri.partition("://")
     found = head.lower() if delimiter else RELATIVE

@@ -99,6 +99,11 @@ class ExpansionError(Rule):
             file=FILE,
             says="`yes` is neither true nor false",
         ),
+        Bad(
+            '<link name="«$(var prefix)»a"/>',
+            file=FILE,
+            says="there is no `var` but in launch files: write `arg`",
+        ),
         Bad('<xacro:include filename="«missing.xacro»"/>', file=FILE, says="no such file"),
         Bad(
             '<xacro:arg name="kind" default="kind_7"/><xacro:include filename="«$(arg kind)/a.xacro»"/>',

@@ -186,6 +186,10 @@ def _is_free(element: Element) -> bool:
     return element.name in {"param", "plugin", "xacro:property"}
 
 
+_IN_LAUNCH_FILES = {"find-pkg-share": "find", "find-pkg-prefix": "find", "var": "arg"}
+"""Words of launch files, each with what xacro has for it."""
+
+
 def _commands(document: Document, visible: Definitions) -> Iterator[ExpansionFailure | UndefinedArgument]:
     declared = {name for read in visible.readings for name in read.arguments}
     for found in reading(document).commands:
@@ -193,8 +197,15 @@ def _commands(document: Document, visible: Definitions) -> Iterator[ExpansionFai
         if word not in COMMANDS and "$" not in word:
             whole = f"$({found.text})"
             span = place(found.element, found.attribute, whole)
-            meant = nearest(word, COMMANDS)
-            detail = f"there is no `{word}`" + (f"; did you mean `{meant}`?" if meant else "")
+            meant, own = nearest(word, COMMANDS), _IN_LAUNCH_FILES.get(word)
+            rest = (
+                f"; did you mean `{meant}`?"
+                if meant
+                else f" but in launch files: write `{own}`"
+                if own
+                else ""
+            )
+            detail = f"there is no `{word}`{rest}"
             yield ExpansionFailure(span, Failure.EXPRESSION, detail, whole)
         argument = _ARGUMENT.match(found.text)
         if argument and argument[1] not in declared:
