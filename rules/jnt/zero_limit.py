@@ -111,9 +111,7 @@ def is_slow(limit: Limit, found: Mapping[str, Number]) -> bool:
     if "velocity" not in found or not limit.joint.is_urdf or not limit.effort > 0:
         return False
     model = limit.joint.model
-    joints = model.joints if model is not None else ()
-    velocities = [other.axis.limit.velocity for other in joints if other.moves and other.type in LIMITED]
-    return 2 * sum(velocity > 0 for velocity in velocities) > len(velocities)
+    return model is not None and model.mostly_has_speeds
 
 
 def is_locked(limit: Limit) -> bool:

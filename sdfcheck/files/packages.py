@@ -372,11 +372,9 @@ def uninstalled(folder: str) -> tuple[str, str, str] | None:
     )
     text = _REMARK.sub("", _read(Path(around[0], build))) if build else ""
     is_named = re.search(rf"(?<![\w-]){re.escape(top)}(?![\w-])", text)
-    return (
-        (around[1], top, build)
-        if top != os.curdir and text and not is_named and not _GATHERED.search(text)
-        else None
-    )
+    if top == os.curdir or not text or is_named or _GATHERED.search(text):
+        return None
+    return around[1], top, build
 
 
 def is_of_python(path: str | os.PathLike[str]) -> bool:

@@ -3247,6 +3247,8 @@ _DRIVING = ("drive", "controller", "steering", "thruster")
 """Words in the names of libraries of Gazebo that move joints."""
 
 
+_WITHIN_LIMITS = frozenset({"revolute", "prismatic"})
+"""The types of joints that move within limits."""
 _FOUND = re.compile(r"\$\(find [^()]*\)")
 _NAMED_JOINT = r"<joint\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A name where xacro has not expanded it."""
@@ -3322,6 +3324,13 @@ class Model(Scope):
     def has_simulated_hardware(self) -> bool:
         """Do some of its ``ros2_control`` blocks ask for the hardware of a simulator?"""
         return any(block.is_simulated for block in self.ros2_control)
+
+    @lazy
+    def mostly_has_speeds(self) -> bool:
+        """Have most joints that move within limits a velocity above 0?"""
+        moving = (joint for joint in self.joints if joint.moves and joint.type in _WITHIN_LIMITS)
+        speeds = [joint.axis.limit.velocity for joint in moving]
+        return 2 * sum(speed > 0 for speed in speeds) > len(speeds)
 
     @lazy
     def lost_references(self) -> frozenset[str]:

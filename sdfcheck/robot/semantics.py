@@ -265,17 +265,18 @@ class Semantics:
     @property
     def partial_states(self) -> Iterator[tuple[Value, Sequence[str]]]:
         """The names of states that say nothing of some joints that their group moves, and these."""
+        driven: dict[str, list[str]] = {}
         for state in self.element.children("group_state"):
-            value, links = (
-                state.attribute("name"),
-                self.links_of.get(state.attributes.get("group", "").strip()),
-            )
+            value, group = state.attribute("name"), state.attributes.get("group", "").strip()
             given = {joint.attributes.get("name", "").strip() for joint in state.children("joint")}
-            if value is None or links is None or given <= {ROOT_JOINT} or any(map(is_expression, given)):
+            if value is None or group not in self.links_of:
                 continue
-            joints = (joint for joint in self.robots[0].joints if joint.child_name in links)
-            left = [joint.name for joint in joints if joint.name not in given and _is_driven(joint)]
-            if left:
+            if given <= {ROOT_JOINT} or any(map(is_expression, given)):
+                continue
+            if group not in driven:
+                moved = (each for each in self.robots[0].joints if each.child_name in self.links_of[group])
+                driven[group] = [joint.name for joint in moved if _is_driven(joint)]
+            if left := [name for name in driven[group] if name not in given]:
                 yield value, left
 
     @property
