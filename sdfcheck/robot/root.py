@@ -48,6 +48,7 @@ from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
+    from sdfcheck.robot.bridges import BridgeGap
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
     from sdfcheck.source.document import Document, Element
@@ -300,6 +301,15 @@ class Root(Whole):
         from sdfcheck.robot.resources import resources_of
 
         return resources_of(self)
+
+    @lazy
+    def bridge_gaps(self) -> tuple[BridgeGap, ...]:
+        """The sensors and systems whose messages no bridge to ROS of the project carries, though one means to."""
+        if not self.elements.get("sensor") and not self.elements.get("plugin"):
+            return ()
+        from sdfcheck.robot.bridges import gaps
+
+        return tuple(gaps(self.document, self.each(Sensor), self.each(Plugin)))
 
     @lazy
     def scopes(self) -> tuple[Scope, ...]:
