@@ -42,7 +42,17 @@ if TYPE_CHECKING:
 
 _PART = "it is a part for other xacro files: a robot has a name, and more than macros"
 _FOREIGN = frozenset(
-    (Kind.SRDF, Kind.MJCF, Kind.WEBOTS, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION)
+    (
+        Kind.SRDF,
+        Kind.MJCF,
+        Kind.WEBOTS,
+        Kind.OTHER_XML,
+        Kind.MODEL_CONFIG,
+        Kind.SDF_SPECIFICATION,
+        Kind.CHEMISTRY,
+        Kind.TEMPLATE,
+        Kind.LFS_POINTER,
+    )
 )
 """Files that are something else, and not just wrong."""
 VERSION = 1

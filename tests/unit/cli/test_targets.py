@@ -333,6 +333,25 @@ def test_macros_with_links_that_nothing_calls_make_no_robot(
         assert ("not read: it is a part" not in capsys.readouterr().out) is is_robot
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("version https://git-lfs.github.com/spec/v1\noid sha256:aa\nsize 12\n", "a Git LFS pointer"),
+        ('{% for x in y %}<sdf version="1.9">{% endfor %}</sdf>', "a template"),
+        ("<mujoco/>", "MJCF"),
+    ],
+)
+def test_a_file_of_another_kind_gets_no_verdict(
+    text: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "model.sdf"
+    file.write_text(text)
+    assert main(["targets", str(file), "--isolated"]) == 2
+    shown = capsys.readouterr()
+    assert words in shown.err
+    assert "accept" not in shown.out
+
+
 def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "robot.gazebo.xacro"
     gazebo = '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>'
