@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping
-from itertools import islice
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,7 @@ _TYPE = re.compile(r"[@\[\]](?:gz|ignition)\.msgs\.(\w+)")
 _REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
 _ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
 """A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
+_WORD = re.compile(r"[a-z]+|\d+")
 _SAID = re.compile(r">([^<>]{1,200})<")
 _DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
 
@@ -79,6 +80,8 @@ _DRIVE = (
 _OF_SYSTEMS: Mapping[str, tuple[tuple[str, str, str], ...]] = {
     "gz-sim-ackermann-steering-system": _DRIVE,
     "gz-sim-diff-drive-system": _DRIVE,
+    "gz-sim-joint-controller-system": (("topic", "Double", "/cmd_vel"),),
+    "gz-sim-joint-position-controller-system": (("topic", "Double", "/cmd_pos"),),
     "gz-sim-joint-state-publisher-system": (("topic", "Model", "/joint_state"),),
     "gz-sim-mecanum-drive-system": _DRIVE,
     "gz-sim-odometry-publisher-system": (
@@ -91,7 +94,7 @@ _OF_SYSTEMS: Mapping[str, tuple[tuple[str, str, str], ...]] = {
 """System → parameter, message, and the end of the topic that it makes of the model's name."""
 _OTHERWISE = frozenset(("sub_topic", "steering_only", "use_actuator_msg"))
 """Parameters with which a system takes other topics."""
-_COMMAND = "Twist"
+_COMMANDS = frozenset(("Double", "Twist"))
 _INFO = "CameraInfo"
 
 
@@ -121,6 +124,10 @@ class BridgeGap(NamedTuple):
     bridged: Bridged
     names: str
     """Those of link and sensor in a topic that Gazebo makes of them, where a bridge has others; else empty."""
+
+
+def _words(text: str) -> Set[str]:
+    return frozenset(_WORD.findall(text.lower()))
 
 
 def _is_made(topic: str) -> bool:
@@ -274,17 +281,28 @@ class _End(NamedTuple):
 
     def takes(self, carried: Bridged) -> bool:
         """Is it what a bridge carries?"""
-        if carried.message not in self.messages or not carried.goes(
-            "]" if _COMMAND in self.messages else "["
-        ):
+        if carried.message not in self.messages or not carried.goes(self.way):
             return False
         if self.usual:
             return self.usual in f"/{carried.topic}/" and _is_made(carried.topic)
         return self.topics is None or carried.topic in self.topics.get(carried.message, ())
 
-    def is_meant_by(self, carried: Bridged) -> bool:
+    def may_be_meant_by(self, carried: Bridged) -> bool:
         """May a topic that nobody has be meant for it: one that a person chose, or one made of its name?"""
-        return not _is_made(carried.topic) or f"/sensor/{self.part.name}/" in carried.topic
+        is_named = not _is_made(carried.topic) or f"/sensor/{self.part.name}/" in carried.topic
+        return is_named and carried.goes(self.way)
+
+    @property
+    def way(self) -> str:
+        """The direction in which a bridge carries its messages."""
+        return "[" if _COMMANDS.isdisjoint(self.messages) else "]"
+
+    @property
+    def words(self) -> Set[str]:
+        """The words in its names and topics."""
+        topics = chain.from_iterable((self.topics or {}).values())
+        names = (self.part.name, *(child.content for child in self.part.children("joint_name")))
+        return _words(" ".join((*topics, *names)))
 
 
 def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin]) -> Iterator[BridgeGap]:
@@ -298,31 +316,30 @@ def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin
         return
     own = {document.path, *(end.part.element.span.source.path for end in ends)}
     open_types = {message for end in ends if end.topics is None for message in end.messages} | bridges.unknown
-    free = [each for each in bridges.carried if not any(end.takes(each) for end in ends)]
-    for end in ends:
-        may_be_carried = any(map(end.takes, bridges.carried)) or not open_types.isdisjoint(end.messages)
-        wanted = _alone(end, ends, bridges.carried) if may_be_carried else end.messages
-        way = "]" if _COMMAND in end.messages else "["
-        wrong = [
-            each
-            for each in free
-            if each.message in wanted
-            and each.message not in open_types
-            and each.goes(way)
-            and end.is_meant_by(each)
-        ]
-        found = next((each for each in wrong if not bridges.is_said(each.topic, own)), None)
-        if found is not None:
-            topic = next(iter((end.topics or {}).get(found.message, ())), "")
-            names = end.usual.strip("/") if _is_made(found.topic) else ""
-            yield BridgeGap(end.part, found.message, end.parameter, topic, end.value, found, names)
+    lacking = [(end, _lacking(end, ends, bridges.carried, open_types)) for end in ends]
+    for each in bridges.carried:
+        if each.message in open_types or any(end.takes(each) for end in ends):
+            continue
+        meant = [one for one in lacking if each.message in one[1] and one[0].may_be_meant_by(each)]
+        if meant and not bridges.is_said(each.topic, own):
+            words = _words(each.topic)
+            end, messages = max(meant, key=lambda one: len(one[0].words & words))
+            messages.discard(each.message)
+            topic = next(iter((end.topics or {}).get(each.message, ())), "")
+            names = end.usual.strip("/") if _is_made(each.topic) else ""
+            yield BridgeGap(end.part, each.message, end.parameter, topic, end.value, each, names)
 
 
-def _alone(end: _End, ends: Iterable[_End], carried: Iterable[Bridged]) -> tuple[str, ...]:
-    """The calibration, where a camera is the only one and its pictures alone are carried."""
-    cameras = [each for each in ends if _INFO in each.messages]
+def _lacking(end: _End, ends: Iterable[_End], carried: Sequence[Bridged], open_types: Set[str]) -> set[str]:
+    """The messages of a sensor or system that no bridge carries, as far as that is known.
+
+    Where one carries the pictures of the only camera, its calibration is looked at alone.
+    """
+    if open_types.isdisjoint(end.messages) and not any(map(end.takes, carried)):
+        return set(end.messages)
+    is_only = _INFO in end.messages and sum(_INFO in each.messages for each in ends) == 1
     is_carried = any(each.message == _INFO and end.takes(each) for each in carried)
-    return (_INFO,) if cameras == [end] and not is_carried else ()
+    return {_INFO} if is_only and not is_carried else set()
 
 
 def _of_sensors(sensors: Iterable[Sensor]) -> Iterator[_End]:

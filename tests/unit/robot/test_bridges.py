@@ -88,6 +88,19 @@ def test_a_merged_link_is_not_in_a_topic(tmp_path: Path) -> None:
     assert gaps(tmp_path, files, imu("", "fixed"))[0][2] == "link/a/sensor/imu"
 
 
+def test_a_topic_is_said_once_for_the_part_that_shares_words_with_it(tmp_path: Path) -> None:
+    plugin = (
+        '<plugin filename="gz-sim-joint-position-controller-system" '
+        'name="gz::sim::systems::JointPositionController"><joint_name>{0}</joint_name><topic>{0}_cmd</topic></plugin>'
+    )
+    robot = ROBOT.format(
+        "continuous", f"<gazebo>{''.join(map(plugin.format, ('lift', 'grip', 'turn')))}</gazebo>"
+    )
+    entry = "- {{gz_topic_name: {}, gz_type_name: gz.msgs.Double, direction: ROS_TO_GZ}}\n"
+    files = {"b.yaml": entry.format("lift_cmd") + entry.format("/turn/cmd")}
+    assert gaps(tmp_path, files, robot) == [("b.yaml", "turn/cmd", "turn_cmd")]
+
+
 def test_calibrations_follow_their_camera(tmp_path: Path) -> None:
     camera = SENSOR.replace('"imu"', '"camera"').format("<topic>front/image</topic>")
     robot = ROBOT.format("continuous", camera)
