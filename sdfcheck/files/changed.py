@@ -26,8 +26,10 @@ _FOR_ALL_BELOW = frozenset(
 """Files on which everything below their folder depends."""
 _YAML = (".yaml", ".yml")
 """SRDF is read with files of these beside it."""
-_FOR_ALL = re.compile(r"(launch\.py|/launch/[^/]+\.py|\.launch(\.xml)?|bridge[^/]*\.ya?ml)$", re.IGNORECASE)
-"""Files with which every robot of a repository may be read: for its arguments, and for topics of bridges."""
+_LAUNCH = re.compile(r"(launch\.py|/launch/[^/]+\.py|\.launch(\.xml)?)$", re.IGNORECASE)
+"""Files that may give arguments to every robot of a repository."""
+_TIED = re.compile(r"\b(?:gz|ign)_type_name\b|\w*base_(?:link_)?frame\w*\s*:")
+"""Words of YAML that may be about every robot: topics of bridges, and frames of bases."""
 
 
 def only_affected(
@@ -81,10 +83,18 @@ def _below(affected: Iterable[str]) -> set[str]:
 
 def _read_beside(path: str, root: Path) -> Iterator[str]:
     """The folder in which descriptions may be read with a file that no description names."""
-    if _FOR_ALL.search(path):
+    if _LAUNCH.search(path):
         yield _folder(str(root))
     elif path.endswith(_YAML):
-        yield _folder(os.path.dirname(path))
+        yield _folder(str(root) if _TIED.search(_text(path)) else os.path.dirname(path))
+
+
+def _text(path: str) -> str:
+    """A file's text, empty if it cannot be read."""
+    try:
+        return read_regular(Path(path), _LARGEST).decode("utf-8", "replace")
+    except OSError:
+        return ""
 
 
 def _folder(path: str) -> str:
@@ -121,10 +131,7 @@ class _NamedBy:
             yield from self._ends.pop(end)
 
     def _add(self, path: Path, known: set[str]) -> None:
-        try:
-            text = read_regular(path, _LARGEST).decode("utf-8", "replace")
-        except OSError:  # deleted, too large, or not a file
-            return
+        text = _text(str(path))
         for word in known & {word.strip(".-") for word in _WORD.findall(text)}:
             self._words.setdefault(word, []).append(str(path))
         for end in set(_END.findall(text)):

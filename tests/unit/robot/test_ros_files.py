@@ -1,4 +1,4 @@
-"""The topics that bridges to ROS carry, in files as people and attackers write them."""
+"""Topics of bridges and frames of nodes, in files as people and attackers write them."""
 
 from __future__ import annotations
 
@@ -136,3 +136,58 @@ def test_other_texts_take_no_time(name: str, text: str, tmp_path: Path) -> None:
     begin = time.process_time()
     gaps(tmp_path, {"z.yaml": ENTRY.format("data"), name: text}, imu())
     assert time.process_time() - begin < 5
+
+
+WHEELED = (
+    f'<robot name="r"><link name="base_link">{MASS}</link><link name="left_wheel">{MASS}</link>'
+    '<joint name="j" type="continuous"><parent link="base_link"/><child link="left_wheel"/></joint></robot>'
+)
+AMCL = "amcl:\n  ros__parameters:\n    base_frame_id: {}\n"
+
+
+def bases(folder: Path, files: dict[str, str], robot: str = WHEELED) -> list[tuple[str, str]]:
+    """Node and frame for each place where a node takes a frame that is missing."""
+    gaps(folder, files, robot)
+    found = sdfcheck.load(folder / "urdf" / "r.urdf").missing_bases
+    assert all(each.span.text == each.name for each in found)
+    return [(each.node, each.name) for each in found]
+
+
+@pytest.mark.parametrize(
+    ("text", "node"),
+    [
+        (AMCL.format("base_footprint"), "amcl"),
+        (AMCL.format('"base_footprint"  # on the floor'), "amcl"),
+        ("robot1:\n" + "".join(f"  {line}\n" for line in AMCL.format("base_footprint").splitlines()), "amcl"),
+        ("robot_base_frame: base_footprint\n", ""),
+        ("local_costmap:\n  local_costmap:\n    ros__parameters:\n      robot_base_frame: base_footprint\n", "local_costmap"),
+        ("ekf_node:\n  ros__parameters:\n    odom_frame: odom\n    base_link_frame: base_footprint\n", "ekf_node"),
+    ],
+)  # fmt: skip
+def test_nodes_take_frames_for_the_base(text: str, node: str, tmp_path: Path) -> None:
+    assert bases(tmp_path, {"config/p.yaml": text}) == [(node, "base_footprint")]
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"p.yaml": AMCL.format("base_link")},
+        {"p.yaml": AMCL.format("/base_footprint")},
+        {"p.yaml": AMCL.format("<robot>base_footprint")},
+        {"p.yaml": AMCL.format("robot1_base_link")},
+        {"p.yaml": AMCL.format("base_footprint").replace("amcl", "wheel_controller")},
+        {"p.yaml": "# robot_base_frame: base_footprint\n"},
+        {"p.yaml": AMCL.format("base_footprint"), "launch/tf.py": "['base_link', 'base_footprint']\n"},
+        {"p.yaml": AMCL.format("base_footprint"), "other.urdf": '<robot name="o"><link name="base_footprint"/></robot>'},
+        {"p.yaml": AMCL.format("base_footprint"), "src/odometry.cpp": 'frame = "base_footprint";'},
+        {"p.yaml": "[" * 50_000 + "\nrobot_base_frame: base_footprint\n"},
+        {"p.yaml": "a: &a {robot_base_frame: *a}\n"},
+    ],
+)  # fmt: skip
+def test_a_frame_that_may_be_there_is_not_reported(files: dict[str, str], tmp_path: Path) -> None:
+    assert bases(tmp_path, files) == []
+
+
+def test_robots_without_wheels_have_no_base_to_miss(tmp_path: Path) -> None:
+    robot = WHEELED.replace("left_wheel", "left_arm")
+    assert bases(tmp_path, {"p.yaml": AMCL.format("base_footprint")}, robot) == []

@@ -1,14 +1,15 @@
-"""The topics that bridges of a project carry between ROS and Gazebo, beside those of its sensors and systems.
+"""Topics and frames that YAML and launch files of a project name, beside those of its robots.
 
-Source: gz-sensors 8 to 10 and the systems of gz-sim 8 to 10 for topics, ros_gz_bridge for YAML and arguments. Nothing
-of a launch file runs: what it computes is not known, and then nothing is said about messages of that type.
+Source: gz-sensors 8 to 10 and the systems of gz-sim 8 to 10 for topics, ros_gz_bridge for YAML and arguments, and Nav2,
+slam_toolbox and robot_localization for frames. Nothing of a launch file runs: topics that it computes are not known,
+and then nothing is said about messages of that type.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,17 @@ _ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
 _WORD = re.compile(r"[a-z]+|\d+")
 _SAID = re.compile(r">([^<>]{1,200})<")
 _DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
+
+_PARAMETERS = "ros__parameters"
+_BASE = re.compile(
+    r"^\s*(?:robot_base_frame|base_frame_id|base_frame|base_link_frame)\s*:\s*[\"']?([A-Za-z]\w{0,99})\b[\"']?\s*(?:#.*)?$",
+    re.MULTILINE,
+)
+_NODE_OF = {"base_frame_id": "amcl", "base_frame": "slam_toolbox"}
+"""Parameters for the base of a robot that are such a one in a node alone."""
+_BESIDE = {"base_link_frame": "odom_frame"}
+"""The same with the parameter that is beside it."""
+_PROGRAMS = (".py", ".launch", ".xml", ".cpp", ".hpp", ".lua")
 
 _PICTURE = {"Image": ("",), "CameraInfo": ("/../camera_info",)}
 _LIDAR = {"LaserScan": ("",), "PointCloudPacked": ("/points",)}
@@ -96,6 +108,9 @@ _OTHERWISE = frozenset(("sub_topic", "steering_only", "use_actuator_msg"))
 """Parameters with which a system takes other topics."""
 _COMMANDS = frozenset(("Double", "Twist"))
 _INFO = "CameraInfo"
+
+
+# Bridges between ROS and Gazebo.
 
 
 class Bridged(NamedTuple):
@@ -391,3 +406,71 @@ def _of_systems(plugins: Iterable[Plugin]) -> Iterator[_End]:
             yield _End(
                 plugin, topics if is_known else None, "" if topic else f"{end}/", (message,), parameter, value
             )
+
+
+# Frames.
+
+
+class BaseFrame(NamedTuple):
+    """A frame that a node of ROS takes for the base of the robot."""
+
+    node: str
+    name: str
+    span: Span
+
+
+class _Frames:
+    """The frames that nodes of a project take for the bases of its robots, and the names in its other files."""
+
+    __slots__ = ("_named", "_packages", "_sources", "names")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._named: dict[str, bool] = {}
+        texts = ((path, _text(path, _LARGEST)) for path in _files(packages, (".yaml", ".yml")))
+        self._sources = [Source(path, text, is_foreign=True) for path, text in texts if _BASE.search(text)]
+        self.names = frozenset(name for source in self._sources for name in _BASE.findall(source.text))
+
+    def of(self, name: str) -> Iterator[BaseFrame]:
+        """The places at which nodes give a frame."""
+        for source in self._sources:
+            if name in source.text:
+                yield from (each for each in _bases(source) if each.name == name)
+
+    def is_named(self, name: str) -> bool:
+        """Does a description, launch file or program of the project have a name?"""
+        if name not in self._named:
+            word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+            files = _files(self._packages, (*_DESCRIPTIONS, *_PROGRAMS))
+            self._named[name] = any(word.search(_text(path, _MOST_SAID)) for path in files)
+        return self._named[name]
+
+
+def _bases(source: Source) -> Iterator[BaseFrame]:
+    """The frames that nodes take for the base of a robot, by a file of parameters."""
+    waiting = [("", composed(source.text))]
+    seen: set[int] = set()
+    while waiting:
+        node, mapping = waiting.pop()
+        if id(mapping) in seen:
+            continue
+        seen.add(id(mapping))
+        given = dict(pairs(mapping))
+        waiting += [(node if name == _PARAMETERS else name, value) for name, value in given.items()]
+        for name in ("robot_base_frame", *_NODE_OF, *_BESIDE):
+            value = given.get(name)
+            is_meant = node.startswith(_NODE_OF.get(name, "")) and _BESIDE.get(name, name) in given
+            if value is not None and value.id == "scalar" and is_meant:
+                yield BaseFrame(node, value.value, span_of(source, value))
+
+
+def missing_bases(document: Document, links: Collection[str]) -> Iterator[BaseFrame]:
+    """The frames that nodes of the project take for the base of a robot, and that nothing in the project has."""
+    library = library_of(document)
+    if library is None:
+        return
+    frames = library.of_project(document.path, _Frames)
+    for name in sorted(frames.names.difference(links)):
+        is_prefixed = any(name.endswith(link) for link in links)
+        if not is_prefixed and (found := list(frames.of(name))) and not frames.is_named(name):
+            yield from found
