@@ -44,7 +44,9 @@ _REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
 _ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
 """A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
 _WORD = re.compile(r"[a-z]+|\d+")
-_SAID = re.compile(r">([^<>]{1,200})<")
+_SAID = re.compile(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
+_MOST_TOPICS = 5_000
+"""A description with more texts like topics may have any."""
 _DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
 
 _PARAMETERS = "ros__parameters"
@@ -182,9 +184,10 @@ class _Bridges:
             self._said = {
                 path: _topics(_text(path, _MOST_SAID)) for path in _files(self._packages, _DESCRIPTIONS)
             }
+        names = topic.split("/")
+        around = {"/".join(names[:count]) for count in range(1, len(names))}
         return any(
-            topic in topics
-            or (path not in own and (is_open or any(topic.startswith(f"{t}/") for t in topics if t)))
+            topic in topics or (path not in own and (is_open or not around.isdisjoint(topics)))
             for path, (topics, is_open) in self._said.items()
         )
 
@@ -206,7 +209,8 @@ def _topics(text: str) -> tuple[frozenset[str], bool]:
     bare = _REMARK.sub("", text)
     sensors = (after.partition("</sensor>")[0] for after in bare.split("<sensor")[1:])
     is_open = any("<topic>" not in each or "$" in each for each in sensors)
-    return frozenset(filter(None, (each.strip().strip("/") for each in _SAID.findall(bare)))), is_open
+    topics = frozenset(each.rstrip("/") for each in _SAID.findall(bare))
+    return (topics, is_open) if len(topics) < _MOST_TOPICS else (frozenset(), True)
 
 
 def _of_launch(source: Source, unknown: set[str]) -> Iterator[Bridged]:
