@@ -108,6 +108,8 @@ _KINDS: Mapping[str, Kind] = {
 }
 _OWN_JOINTS = "command_joints"
 """The parameter that names the joints of the hardware where they are called otherwise than those of a trajectory."""
+_COUNTS = {"Ackermann": (2, 2), "Tricycle": (2, 1), "Bicycle": (1, 1)}
+"""The joints that drive and those that steer."""
 _CORRECTED: Mapping[str, tuple[str, ...]] = {
     "wheel_separation": ("wheel_separation_multiplier",),
     "wheel_radius": (
@@ -186,6 +188,15 @@ class Unreached(NamedTuple):
     span: Span
 
 
+class Miscounted(NamedTuple):
+    """A drive with another number of joints than it takes: what it names, and how many it takes; with a place."""
+
+    controller: str
+    found: str
+    asked: str
+    span: Span
+
+
 class ControllerFile(NamedTuple):
     """The controllers of a file of parameters, as far as they are known."""
 
@@ -197,6 +208,7 @@ class ControllerFile(NamedTuple):
     """The controller that publishes the states of all joints."""
     mistyped: tuple[Mistyped, ...] = ()
     unreached: tuple[Unreached, ...] = ()
+    miscounted: tuple[Miscounted, ...] = ()
     manager: Parameter | None = None
     """The name of the controller manager's parameters, if they are for one without a namespace."""
 
@@ -234,7 +246,7 @@ def _controllers(source: Source) -> ControllerFile:
         need for name, kind, parameters in known for need in _of_controller(source, name, kind, parameters)
     )
     key = paths.get(_MANAGER)
-    is_alone = key is not None and not any("/" in path for path in paths)
+    is_alone = key is not None and "**" not in paths and not any("/" in path for path in paths)
     return ControllerFile(
         tuple(islice(needs, _MOST)),
         tuple(filter(None, (_drive(source, name, each) for name, kind, each in known if kind is _DRIVE))),
@@ -242,6 +254,7 @@ def _controllers(source: Source) -> ControllerFile:
         next((name for name, declared in types.items() if _is_broadcaster(declared)), ""),
         tuple(_mistyped(source, [(_MANAGER, _FOR_MANAGER, nodes.get(_MANAGER)), *known])),
         () if "**" in nodes else tuple(_unreached(source, paths, nodes, found)),
+        tuple(each for name in nodes for each in _miscounted(source, name, declared[name], nodes[name])),
         Parameter("name", _MANAGER, _span(source, key[0])) if key is not None and is_alone else None,
     )
 
@@ -319,6 +332,25 @@ def _carried(source: Source, name: str, kind: Kind, parameters: Any) -> Paramete
         return None
     given = _written(source, parameters, "base_frame_id")
     return given[0]._replace(name=name) if given else None
+
+
+def _miscounted(source: Source, name: str, declared: Sequence[Any], parameters: Any) -> Iterator[Miscounted]:
+    """The joints of a drive, where they are not as many as it takes."""
+    kind = _kind(declared)
+    if any(_UNKNOWN.search(each.value) for _, node in _flat(parameters, "", 0) for each in _scalars(node)):
+        return
+    if kind is _DRIVE:
+        lefts, rights = (_written(source, parameters, each) for each in _DRIVE.joints)
+        if lefts and rights and len(lefts) != len(rights):
+            yield Miscounted(
+                name, f"{len(lefts)} left and {len(rights)} right", "as many of each", lefts[0].span
+            )
+    elif kind is _CAR:
+        asked = next(count for word, count in _COUNTS.items() if word in declared[0].value)
+        driven, steered = _joints(kind, parameters)
+        if driven and steered and (len(driven), len(steered)) != asked:
+            found = f"{len(driven)} driven and {len(steered)} steered"
+            yield Miscounted(name, found, "{} and {}".format(*asked), _span(source, driven[0]))
 
 
 def _unreached(
@@ -566,9 +598,13 @@ def _is(mapping: Any, name: str, text: str) -> bool:
 
 def _texts(node: Any) -> list[Any]:
     """The scalar that a node is, or those in its list, without what is made later."""
+    return [each for each in _scalars(node) if not _UNKNOWN.search(each.value)]
+
+
+def _scalars(node: Any) -> list[Any]:
     kind = getattr(node, "id", "")
     nodes = [node] if kind == "scalar" else node.value if kind == "sequence" else ()
-    return [each for each in nodes if each.id == "scalar" and not _UNKNOWN.search(each.value)]
+    return [each for each in nodes if each.id == "scalar"]
 
 
 def _span(source: Source, scalar: Any) -> Span:
