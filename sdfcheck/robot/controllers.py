@@ -473,6 +473,11 @@ class SentController(NamedTuple):
     name: Parameter
     joints: tuple[Parameter, ...]
 
+    @property
+    def own_name(self) -> str:
+        """Its name without that of its namespace."""
+        return self.name.content.rpartition("/")[2]
+
 
 class MoveItFiles(NamedTuple):
     """The content of the files of parameters of MoveIt."""
@@ -487,6 +492,14 @@ class MoveItFiles(NamedTuple):
     mistyped: tuple[Mistyped, ...] = ()
     release: str = ""
     """For which releases its pipeline of planners is written: before ``jazzy``, or from then on; empty if not known."""
+
+    def started_instead(self, sent: SentController) -> str:
+        """The controller that is started for the joints of one that is not started, and to which nothing is sent."""
+        joints = {each.content for each in sent.joints}
+        known = {each.own_name for each in self.sent}
+        if sent.own_name in dict(self.started):
+            return ""
+        return next((name for name, own in self.started if own == joints and name not in known), "")
 
 
 def moveit_files(texts: Mapping[str, Source]) -> MoveItFiles:

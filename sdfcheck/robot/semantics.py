@@ -238,10 +238,8 @@ class Semantics:
     def unmatched_parameters(self) -> Iterator[tuple[str, Span]]:
         """Words about each name in the files of MoveIt's parameters that is not there, and its place."""
         robot, files = self._parameterized, self.parameters
-        if robot is None:
-            return
         limits = [each for each in files.limits if not is_expression(each.name)]
-        if limits and not any(each.name in robot.joints_by_name for each in limits):
+        if robot is not None and limits and not any(each.name in robot.joints_by_name for each in limits):
             more = f" (and {len(limits) - 1} more)" * (len(limits) > 1)
             yield f"limits joint `{limits[0].name}`, which {robot.title} does not have{more}", limits[0].span
         solved = {each.name for each in files.solvers}
@@ -251,21 +249,14 @@ class Semantics:
         for each in files.solvers:
             if left and each.name not in self.groups and not is_expression(each.name):
                 yield f"has a solver for group `{each.name}`, and group `{left[0]}` has none", each.span
-        started = dict(files.started)
         for sent in files.sent:
-            joints = {each.content for each in sent.joints}
-            unknown = next((each for each in sent.joints if each.content not in robot.joints_by_name), None)
-            other = next((name for name, own in started.items() if own == joints), None)
-            own = sent.name.content.rpartition("/")[2]
-            if unknown is not None:
-                yield f"sends joint `{unknown.content}`, which {robot.title} does not have", unknown.span
-            elif (
-                other is not None
-                and own not in started
-                and not any(each.name.content.rpartition("/")[2] == other for each in files.sent)
-            ):
+            unknown = (each for each in sent.joints if robot and each.content not in robot.joints_by_name)
+            other = files.started_instead(sent)
+            if robot is not None and (lost := next(unknown, None)) is not None:
+                yield f"sends joint `{lost.content}`, which {robot.title} does not have", lost.span
+            elif other:
                 words = f"the controller of these joints in `ros2_controllers.yaml` is `{other}`"
-                yield f"sends trajectories to `{own}`, and {words}", sent.name.span
+                yield f"sends trajectories to `{sent.own_name}`, and {words}", sent.name.span
 
     @property
     def adjacent_pairs(self) -> Iterator[Element]:
