@@ -10,11 +10,24 @@ NEEDY = frozenset(
 )
 
 
+FOUND = (
+    '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<parameters>{}</parameters></plugin></gazebo>"
+)
+XACRO = IN_ROBOT.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ', 1)
+FILE = "arm/urdf/robot.urdf.xacro"
+FILES = {
+    "arm/package.xml": "<package><name>arm</name></package>",
+    "arm/config/control.yaml": "controller_manager: {ros__parameters: {update_rate: 100}}\n",
+}
+
+
 class ControlPluginWithoutParameters(Rule):
     """Gazebo's plugin for `ros2_control` has no file of parameters.
 
     `gz_ros2_control` and `ign_ros2_control` stop with an error if `<parameters>` is missing or empty: no
-    controller manager, and no joint moves.
+    controller manager, and no joint moves. With a file that is not there, Gazebo ends. Looked at are files of
+    packages of the project (`$(find my_robot)/…`) that no build makes.
     """
 
     code = "R2C027"
@@ -35,8 +48,17 @@ class ControlPluginWithoutParameters(Rule):
             says="plugin `gz_ros2_control::GazeboSimROS2ControlPlugin` needs `<parameters>`",
             also=("R2C037",),
         ),
+        Bad(
+            FOUND.format("«$(find arm)/cofing/control.yaml»"),
+            scaffold=XACRO,
+            file=FILE,
+            files=FILES,
+            says="`cofing/control.yaml` is not in package `arm`; there is `config/control.yaml`",
+            also=("R2C037",),
+        ),
     )
     good = (
+        Good(FOUND.format("$(find arm)/config/control.yaml"), scaffold=XACRO, file=FILE, files=FILES),
         Good(
             '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
             "<parameters>controllers.yaml</parameters></plugin></gazebo>"
@@ -45,7 +67,7 @@ class ControlPluginWithoutParameters(Rule):
             '<xacro:arg name="file" default=""/><gazebo>'
             '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
             "<parameters>$(arg file)</parameters></plugin></gazebo>",
-            scaffold=IN_ROBOT.replace("<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" ', 1),
+            scaffold=XACRO,
             file="robot.urdf.xacro",
             why="the launch file gives the argument",
         ),
@@ -53,6 +75,8 @@ class ControlPluginWithoutParameters(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
+        if plugin.missing_parameters_file is not None:
+            return True
         if plugin.filename not in NEEDY or plugin.is_template:
             return False
         if any(meant == "parameters" for _, meant in plugin.misspelled_parameters):
@@ -61,4 +85,12 @@ class ControlPluginWithoutParameters(Rule):
         return not any(each.content or each.own_value.span.text for each in plugin.children("parameters"))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        missing = plugin.missing_parameters_file
+        if missing is not None:
+            value, near = missing
+            path = value.span.text.strip()
+            package, _, inside = path.removeprefix("$(find ").partition(")/")
+            message = f"`{inside}` is not in package `{package.strip()}`"
+            yield self.diagnostic(value, f"{message}; there is `{near}`" if near else message)
+            return
         yield self.diagnostic(plugin, f"{plugin.title} needs `<parameters>`, the file with its controllers")

@@ -1875,6 +1875,21 @@ class Plugin(Part):
         return controllers_in(self.document, value.text.strip())
 
     @lazy
+    def missing_parameters_file(self) -> tuple[Value, str] | None:
+        """A file of parameters in a package of the project that is not there, with one of its name that is, or empty.
+
+        None also where a build makes the file.
+        """
+        for element in self.children("parameters") if "ros2_control" in self.filename else ():
+            value = element.own_value
+            if _FOUND.match(value.span.text.strip()) and "$" not in _FOUND.sub("", value.span.text):
+                from sdfcheck.files.uris import substitute
+
+                if (near := substitute(self.document, value.text.strip())) is not None:
+                    return value, near
+        return None
+
+    @lazy
     def lost_namespace(self) -> Value | None:
         """The namespace of its controllers, where its file of parameters is for controllers without one."""
         space = next((each for ros in self.children("ros") for each in ros.children("namespace")), None)
