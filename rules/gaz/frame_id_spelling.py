@@ -59,20 +59,34 @@ class FrameIdSpelling(Rule):
             unsafe=True,
             scaffold=ROBOT,
         ),
+        Bad(
+            "<«frame_id»>base</frame_id>",
+            fixed="<gz_frame_id>base</gz_frame_id>",
+            unsafe=True,
+            scaffold=ROBOT,
+            says="`frame_id` is read from Gazebo Ionic on, and `gz_frame_id` by older ones, too",
+        ),
     )
     good = (
+        Good("<frame_id>base</frame_id><gz_frame_id>base</gz_frame_id>", scaffold=ROBOT),
         Good("<frame_id>imu</frame_id>", scaffold=TWELVE),
         Good("<gz_frame_id>base</gz_frame_id>", why="the element that URDF has", scaffold=ROBOT),
     )
 
     @staticmethod
     def applies(root: Root) -> bool:
-        return "_frame_id" in root.document.source.text and bool(misnamed(root))
+        return "frame_id" in root.document.source.text and bool(misnamed(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         instead, version = fitting(root), root.read_as
         for name, elements in misnamed(root).items():
             times = used(len(elements))
+            if name == STANDARD:
+                message = f"`{name}`{times} is read from Gazebo Ionic on, and `{instead}` by older ones, too"
+                yield self.diagnostic(
+                    elements[0], message, severity=Severity.INFO, fix=rename(instead, *elements)
+                )
+                continue
             if name == instead:
                 message = f"`{name}`{times} is not in SDFormat {version}; Gazebo reads it anyway"
                 advice = "from version 1.12 on there is `frame_id`"
@@ -92,11 +106,14 @@ def fitting(root: Root) -> str:
 
 
 def misnamed(root: Root) -> dict[str, list[Element]]:
-    """Name → the frame ids that have it; in SDF files any other name than the standard one."""
+    """Name → the frame ids that have it; in SDF files any other name than the standard one, in URDF also that alone."""
     found: dict[str, list[Element]] = {}
     for sensor in root.each("Sensor"):
         for name in (CURRENT, IGNITION):
             if not root.is_urdf or name != CURRENT:
                 for element in sensor.children(name):
                     found.setdefault(name, []).append(element)
+        if root.is_urdf and not sensor.has(CURRENT) and not sensor.has(IGNITION) and not sensor.has("plugin"):
+            for element in sensor.children(STANDARD):
+                found.setdefault(STANDARD, []).append(element)
     return found
