@@ -316,6 +316,7 @@ RULES: tuple[tuple[object, ...], ...] = (
     ('SRD011', 'unknown-virtual-type', 'SRD', 'error', 'The type of a virtual joint is not `fixed`, `floating` or `planar`.', 'unsafe', True, (), (), (), 'sdfcheck_rules.srd.unknown_virtual_type', ('Semantics',), (), False),
     ('SRD012', 'unlisted-neighbors', 'SRD', 'warning', 'Two links that touch in any case may collide, where others may not.', '', True, (), (), (), 'sdfcheck_rules.srd.unlisted_neighbors', ('Semantics',), (), False),
     ('SRD013', 'branched-chain', 'SRD', 'warning', 'A group is solved as a chain, and its joints branch.', '', True, (), (), (), 'sdfcheck_rules.srd.branched_chain', ('Semantics',), (), False),
+    ('SRD014', 'misspelled-semantic-element', 'SRD', 'error', 'An element of SRDF has nearly the name of one that MoveIt reads.', 'unsafe', True, (), (), (), 'sdfcheck_rules.srd.misspelled_semantic_element', ('Semantics',), (), False),
     ('SRD016', 'refused-joint-property', 'SRD', 'warning', 'A property of a joint is one that MoveIt does not know, that such a joint does not have, or of a wrong value.', 'unsafe', True, (), (), (), 'sdfcheck_rules.srd.refused_joint_property', ('Semantics',), (), False),
     ('SRD017', 'unbuilt-group', 'SRD', 'warning', 'A group is empty, or a part of itself.', '', True, (), (), (), 'sdfcheck_rules.srd.unbuilt_group', ('Semantics',), (), False),
     ('SRD018', 'partial-state', 'SRD', 'warning', 'A state gives no value to a joint that its group moves.', '', True, (), (), (), 'sdfcheck_rules.srd.partial_state', ('Semantics',), (), False),
