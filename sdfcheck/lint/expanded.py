@@ -177,13 +177,14 @@ def _nested(
 ) -> Iterator[dict[str, str]]:
     """The values that it takes to reach an error in a branch within a branch, or in a file that a branch includes."""
     files = {
-        reading.document.source.path: reading.document for reading in visible_definitions(document).readings
+        reading.document.source.real_path: reading.document
+        for reading in visible_definitions(document).readings
     }
     tried: set[frozenset[str]] = set()
     for each in found:
         words: set[str] = set()
         for span in (each.span, *(origin.span for origin in each.origins)):
-            if written := files.get(span.source.path):
+            if written := files.get(span.source.real_path):
                 number = bisect_right(written.scan.starts, span.start) - 1
                 around = written.elements[number].around if number >= 0 else ()
                 conditions = (

@@ -221,7 +221,11 @@ def test_an_argument_may_leave_out_the_whole_robot(tmp_path: Path, expander: Exp
     assert not any(":=" in each.message for each in found)
 
 
-def test_a_branch_in_a_branch_is_reached_with_both_arguments(tmp_path: Path, expander: Expander) -> None:
+def test_a_branch_in_a_branch_is_reached_with_both_arguments(
+    tmp_path: Path, expander: Expander, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
     (tmp_path / "simulated.xacro").write_text(
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:if value="$(arg camera)">'
         '<gazebo reference="base"><sensor name="c" type="camera"><clip><near>1</near></clip></sensor></gazebo>'
@@ -230,9 +234,9 @@ def test_a_branch_in_a_branch_is_reached_with_both_arguments(tmp_path: Path, exp
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="camera" default="false"/>'
         '<xacro:arg name="simulated" default="false"/><xacro:arg name="lamp" default="false"/><link name="base"/>'
-        '<xacro:if value="$(arg simulated)"><xacro:include filename="simulated.xacro"/></xacro:if></robot>'
+        '<xacro:if value="$(arg simulated)"><xacro:include filename="$(find arm)/simulated.xacro"/></xacro:if></robot>'
     )
-    found = lint(expander, tmp_path / "r.urdf.xacro", text)
+    found = lint(expander, Path("r.urdf.xacro"), text)
     (clip,) = (each for each in found if each.code == "SCH003")
     assert clip.span.source.path.name == "simulated.xacro"
     assert clip.severity is Severity.WARNING
