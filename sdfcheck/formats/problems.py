@@ -148,7 +148,7 @@ class MissingAttribute(Record):
 class EmptyName(Record):
     """A name of nothing but spaces; ``until`` as in :class:`MissingAttribute`.
 
-    Names of shapes in URDF are counted and told once: ``shapes``.
+    Names of shapes in URDF are counted: ``shapes``.
     """
 
     value: Value
