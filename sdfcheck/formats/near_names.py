@@ -51,6 +51,14 @@ def without_unit(name: str, candidates: Collection[str]) -> str | None:
     return bare if bare != name and bare in candidates else None
 
 
+def with_another_word(name: str, candidates: Iterable[str]) -> str | None:
+    """The only candidate with one more word before those of a name: ``dynamic_bias_correlation_time``."""
+    longer = [
+        each for each in candidates if each.endswith(f"_{name}") and each.count("_") == name.count("_") + 1
+    ]
+    return longer[0] if "_" in name and len(longer) == 1 else None
+
+
 def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) -> str | None:
     """The candidate that a misspelled name was meant to be, or None when nothing is near.
 
