@@ -10,6 +10,8 @@ BEYOND = 100_000.0
 """kg/m³: what is only a part of the shapes cannot explain that."""
 LEAST = 0.2
 """kg: what is lighter is often a mark with a tiny box."""
+SHEET = 0.005
+"""Of the length of a shape: one that is thinner is a picture of something, such as a marker on a wall."""
 HEAVIER = 20.0
 """Times the other links of a robot."""
 MASS = "<inertial><mass>{}</mass><inertia><ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial>"
@@ -48,6 +50,7 @@ class ExcessDensity(Rule):
             + '<collision name="c"><geometry><box><size>0.001 0.001 0.001</size></box></geometry></collision>',
             why="a mark of a light part",
         ),
+        Good(MASS.format("0.5") + BOX.replace("0.1<", "0.0001<"), why="a marker of paper"),
         Good(
             MASS.format("500")
             + BOX
@@ -75,7 +78,8 @@ class ExcessDensity(Rule):
 def density(inertial: Inertial) -> float:
     """kg/m³ within the box around the link's shapes; 0 where that is not known."""
     box = inertial.link.extent if is_doubtful(inertial) else None
-    volume = prod(box.size) if box is not None else 0.0
+    is_solid = box is not None and min(box.size) > SHEET * max(box.size)
+    volume = prod(box.size) if box is not None and is_solid else 0.0
     return inertial.mass.number / volume if volume > 0 else 0.0
 
 

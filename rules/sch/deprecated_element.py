@@ -87,7 +87,9 @@ class DeprecatedElement(Rule):
         message = f"`{element.name}` is deprecated{since}"
         if successor is not None:
             message += f"; use {named(successor.split(', '))}"
-        yield self.diagnostic(element, message)
+        # URDF has no version: the Gazebo that reads it may not know the successor yet.
+        severity = Severity.INFO if element.document.kind.value != "sdf" else None
+        yield self.diagnostic(element, message, severity=severity)
 
 
 def _renaming(problem: problems.DeprecatedElement) -> Fix:

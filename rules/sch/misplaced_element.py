@@ -68,6 +68,12 @@ class MisplacedElement(Rule):
             says="it goes into `x`, `y` or `z`",
         ),
         Bad(
+            '<world name="w"><model name="m"><link name="l"/></model><state world_name="w"><model name="m">'
+            "<«static»>1</static></model></state></world>",
+            scaffold=SDF.replace("1.12", "1.6"),
+            says="`static` does not belong in the state of model `m`",
+        ),
+        Bad(
             "<«include»><uri>https://fuel.gazebosim.org/1.0/openrobotics/models/arm</uri></include>",
             scaffold=SDF,
             says="it goes into `model` or `world`",
@@ -147,7 +153,7 @@ class MisplacedElement(Rule):
             yield self.diagnostic(element, message, severity=Severity.WARNING)
         elif problem.ignored:
             # The recorded state of a link, copied into the model, makes no other robot of it; nor does a default.
-            is_recorded = parent.name == "link" and RECORD in problem.places
+            is_recorded = (parent.name == "link" and RECORD in problem.places) or in_state(parent)
             severity = Severity.WARNING if is_recorded or problem.is_default else self.severity
             fix = rename(problem.suggestion, element)
             yield self.diagnostic(element, misplaced(problem), fix=fix, severity=severity)
@@ -160,14 +166,20 @@ def misplaced(problem: problems.MisplacedElement) -> str:
     """Elements in the wrong place, and where they go."""
     names = list(dict.fromkeys(each.name for each in (problem.element, *problem.others)))
     count = len(problem.others) + 1 if len(names) == 1 else 1
+    title = f"the state of {problem.parent.title}" if in_state(problem.parent) else problem.parent.title
     do, they, go = ("does", "it", "goes") if len(names) == 1 else ("do", "they", "go")
-    message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {problem.parent.title}"
+    message = f"{named(names, most=SHOWN)}{used(count)} {do} not belong in {title}"
     if problem.suggestion is not None:
         return f"{message}; did you mean `{problem.suggestion}`?"
     around = problem.parent.parent
     if problem.places == (problem.parent.name,) and around is not None:
         return f"{message} of {around.title}, but in that of other elements"
     return f"{message}; {they} {go} into {named(problem.places, 'or', most=SHOWN)}"
+
+
+def in_state(element: Element) -> bool:
+    """Is it recorded, in the state of a world?"""
+    return any(around.name == "state" for around in element.around)
 
 
 def as_colors(color: Element, material: Element) -> Fix | None:

@@ -102,7 +102,7 @@ class ExpansionError(Rule):
         Bad(
             '<link name="«$(var prefix)»a"/>',
             file=FILE,
-            says="there is no `var` but in launch files: write `arg`",
+            says="`var` is a word of launch files: xacro has `arg`",
         ),
         Bad('<xacro:include filename="«missing.xacro»"/>', file=FILE, says="no such file"),
         Bad(

@@ -134,6 +134,11 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             says="`</link></model>` is missing before `</world>`",
         ),
         Bad(
+            '<sdf version="1.12"><model name="m"><link name="a">\n  <collision name="c">\n      «<size>»1 1 1</size>\n'
+            "    </box>\n   </geometry>\n   <laser_retro>1</laser_retro>\n  </collision>\n </link></model></sdf>",
+            says="`<geometry><box>` is missing before `<size>`",
+        ),
+        Bad(
             '<sdf version="1.12"><model name="m"><link name="a"></«lnik»></model></sdf>',
             fixed='<sdf version="1.12"><model name="m"><link name="a"></link></model></sdf>',
             unsafe=True,

@@ -24,6 +24,7 @@ from sdfcheck.cli.parts.options import formatted, limited, require_file, targete
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
 from sdfcheck.consumers.reaction import READS, UNFOUND, Consumer, Verdict
+from sdfcheck.files.library import Library
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.session import Level, Notice, Options
@@ -41,7 +42,17 @@ if TYPE_CHECKING:
 
 _PART = "it is a part for other xacro files: a robot has a name, and more than macros"
 _FOREIGN = frozenset(
-    (Kind.SRDF, Kind.MJCF, Kind.WEBOTS, Kind.OTHER_XML, Kind.MODEL_CONFIG, Kind.SDF_SPECIFICATION)
+    (
+        Kind.SRDF,
+        Kind.MJCF,
+        Kind.WEBOTS,
+        Kind.OTHER_XML,
+        Kind.MODEL_CONFIG,
+        Kind.SDF_SPECIFICATION,
+        Kind.CHEMISTRY,
+        Kind.TEMPLATE,
+        Kind.LFS_POINTER,
+    )
 )
 """Files that are something else, and not just wrong."""
 VERSION = 1
@@ -124,12 +135,15 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
         raise WrongUsage("; ".join(failures))
     if done.suppressed:
         say(f"note: {done.suppressed} findings are suppressed and not counted")
-    data = read_named(file, around.settings_for(file).size_limit)
+    settings = around.settings_for(file)
+    data = read_named(file, settings.size_limit)
     kind = sniff(data, file)
     if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     rows = matrix(done, kind, file, consumers)
     document = read(data, file, kind) if kind is Kind.XACRO else None
+    if document is not None:
+        document.library = Library(settings.search, settings.size_limit)
     if document is not None and document.root is not None and document.root.name == "sdf":
         return tuple(
             row if "sdf" in READS[row.consumer] else Row(row.consumer, Verdict.UNREAD, (), NO_SDF)
@@ -141,10 +155,18 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
 
 
 def may_have_links(document: Document) -> bool:
-    """Has a xacro file a link, or one of those that it includes, as far as they are known?"""
+    """Has a xacro file a link outside of the macros that it does not call, as far as they are known?"""
     visible = visible_definitions(document)
+    called = {call.name for read in visible.readings for call in read.calls if call.macro is None}
+    while (
+        more := {name for each in called for macro in visible.macros.get(each, ()) for name in macro.calls}
+    ) - called:
+        called |= more
+    taken = {macro.element for name in called for macro in visible.macros.get(name, ())}
     return visible.is_open or any(
-        element.name == "link" for read in visible.readings for element, _ in read.elements
+        element.name == "link" and (macro is None or macro in taken)
+        for read in visible.readings
+        for element, macro in read.elements
     )
 
 

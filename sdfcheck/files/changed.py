@@ -20,8 +20,16 @@ _LARGEST = 16 * MEGABYTE
 """Larger files are not searched for names."""
 _WORD = re.compile(r"[\w.-]+")
 _END = re.compile(r"[})*]([\w-]*\.\w+)(?![\w.-])")
-_FOR_ALL_BELOW = frozenset({"sdfcheck.toml", ".sdfcheck.toml", "package.xml", "manifest.xml"})
+_FOR_ALL_BELOW = frozenset(
+    {"sdfcheck.toml", ".sdfcheck.toml", "package.xml", "manifest.xml", "CMakeLists.txt"}
+)
 """Files on which everything below their folder depends."""
+_YAML = (".yaml", ".yml")
+"""SRDF is read with files of these beside it."""
+_LAUNCH = re.compile(r"(launch\.py|/launch/[^/]+\.py|\.launch(\.xml)?)$", re.IGNORECASE)
+"""Files that may give arguments to every robot of a repository."""
+_TIED = re.compile(r"\b(?:gz|ign)_type_name\b|\w*base_(?:link_)?frame\w*\s*:")
+"""Words of YAML that may be about every robot: topics of bridges, and frames of bases."""
 
 
 def only_affected(
@@ -58,18 +66,35 @@ def _affected(root: Path, reference: str) -> set[str]:
     """Absolute paths of the files, and of folders (with a separator at the end), that are affected."""
     affected: set[str] = set()
     waiting = list(map(str, changed_since(root, reference)))
+    around = {folder for path in waiting for folder in _read_beside(path, root)}
     named_by = _NamedBy(root, waiting) if waiting else None
     while waiting and named_by is not None:
         path = waiting.pop()
         if path not in affected:
             affected.add(path)
             waiting += (each for name in _names(path) for each in named_by.files(name))
-    return affected | {_folder(path) for path in affected if os.path.isdir(path)} | _below(affected)
+    return affected | {_folder(path) for path in affected if os.path.isdir(path)} | _below(affected) | around
 
 
 def _below(affected: Iterable[str]) -> set[str]:
     """The folders whose settings or package changed."""
     return {_folder(os.path.dirname(path)) for path in affected if os.path.basename(path) in _FOR_ALL_BELOW}
+
+
+def _read_beside(path: str, root: Path) -> Iterator[str]:
+    """The folder in which descriptions may be read with a file that no description names."""
+    if _LAUNCH.search(path):
+        yield _folder(str(root))
+    elif path.endswith(_YAML):
+        yield _folder(str(root) if _TIED.search(_text(path)) else os.path.dirname(path))
+
+
+def _text(path: str) -> str:
+    """A file's text, empty if it cannot be read."""
+    try:
+        return read_regular(Path(path), _LARGEST).decode("utf-8", "replace")
+    except OSError:
+        return ""
 
 
 def _folder(path: str) -> str:
@@ -106,10 +131,7 @@ class _NamedBy:
             yield from self._ends.pop(end)
 
     def _add(self, path: Path, known: set[str]) -> None:
-        try:
-            text = read_regular(path, _LARGEST).decode("utf-8", "replace")
-        except OSError:  # deleted, too large, or not a file
-            return
+        text = _text(str(path))
         for word in known & {word.strip(".-") for word in _WORD.findall(text)}:
             self._words.setdefault(word, []).append(str(path))
         for end in set(_END.findall(text)):

@@ -24,9 +24,9 @@ from sdfcheck.lsp.workspace import Choices
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
 
-_DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,srdf,config,yaml,dae,stl,obj}"
+_DESCRIPTIONS = "**/*.{sdf,world,urdf,xacro,gazebo,srdf,config,yaml,yml,dae,stl,obj}"
 _SURROUNDINGS = "**/{.sdfcheck.toml,sdfcheck.toml,pyproject.toml,package.xml,CMakeLists.txt,.gitignore}"
-_LAUNCHES = "**/*{.launch,launch.xml,launch.py}"
+_LAUNCHES = "**/{*.launch,*launch.xml,*launch.py,launch/*.py}"
 _LAYOUT = frozenset({*NAMES, "package.xml", "CMakeLists.txt"})
 _OUTDATED = -1.0
 """When a file was changed that is not as it was read."""

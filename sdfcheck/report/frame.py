@@ -235,7 +235,8 @@ def block(
     yield title + paint(f": {visible(diagnostic.message)}", Ink.STRONG)
     for number, marks in enumerate(frames):
         arrow, first = (":::", first_of(marks)) if number else ("-->", marks[0])
-        yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span))}"
+        label = f": {first.text}" if first.text and first.span.source.is_foreign else ""
+        yield f"{'':{gutter}}{paint(arrow, Ink.GUTTER)} {visible(paths.place(first.span) + label)}"
         yield from frame(marks, gutter, paint, ink, width)
     remarks = list(_remarks(diagnostic, paths))
     if others:

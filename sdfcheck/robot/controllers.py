@@ -104,8 +104,8 @@ def needs_of(document: Document, address: str) -> tuple[ControllerNeed, ...]:
 
 
 def _needs(source: Source) -> Iterator[ControllerNeed]:
-    nodes = dict(_nodes(_composed(source.text), "", 0, set()))
-    types = {name: _texts(_get(entry, "type")) for name, entry in _pairs(nodes.get(_MANAGER))}
+    nodes = dict(_nodes(composed(source.text), "", 0, set()))
+    types = {name: _texts(_get(entry, "type")) for name, entry in pairs(nodes.get(_MANAGER))}
     for name, parameters in nodes.items():
         declared = types.get(name) or _texts(_get(parameters, "type"))
         kind = _KINDS.get(declared[0].value) if declared else None
@@ -116,7 +116,7 @@ def _needs(source: Source) -> Iterator[ControllerNeed]:
 def _of_controller(source: Source, name: str, kind: Kind, parameters: Any) -> Iterator[ControllerNeed]:
     """The needs of one controller."""
     for scalar in _texts(_get(parameters, kind.sensor)) if kind.sensor else ():
-        yield ControllerNeed(name, "sensor", scalar.value, _span(source, scalar))
+        yield ControllerNeed(name, "sensor", scalar.value, span_of(source, scalar))
     commands = [scalar.value for scalar in _texts(_get(parameters, kind.commands))] if kind.commands else []
     states = [scalar.value for scalar in _texts(_get(parameters, kind.states))] if kind.states else []
     wanted = [(each, True) for each in (*commands, kind.command) if each] + [(each, False) for each in states]
@@ -130,7 +130,7 @@ def _of_controller(source: Source, name: str, kind: Kind, parameters: Any) -> It
 def _of_joint(
     source: Source, name: str, scalar: Any, wanted: Iterable[tuple[str, bool]], *, steers: bool = False
 ) -> Iterator[ControllerNeed]:
-    span = _span(source, scalar)
+    span = span_of(source, scalar)
     yield ControllerNeed(name, "joint", scalar.value, span)
     for interface, is_command in wanted:
         yield ControllerNeed(name, "joint", scalar.value, span, interface, is_command, steers)
@@ -151,7 +151,7 @@ def _joints(kind: Kind, parameters: Any) -> tuple[list[Any], list[Any]]:
 # YAML as nodes: nothing in it is constructed.
 
 
-def _composed(text: str) -> Any:
+def composed(text: str) -> Any:
     """The nodes of a text; None where it cannot be read as YAML."""
     import yaml
 
@@ -163,7 +163,7 @@ def _composed(text: str) -> Any:
 
 def _nodes(mapping: Any, name: str, depth: int, seen: set[int]) -> Iterator[tuple[str, Any]]:
     """The names of nodes of ROS, each with its parameters; ``seen``: where an alias would lead again."""
-    for key, value in _pairs(mapping):
+    for key, value in pairs(mapping):
         if key == _PARAMETERS:
             yield name.rpartition("/")[2], value
         elif depth < _DEEPEST and id(value) not in seen:
@@ -171,14 +171,14 @@ def _nodes(mapping: Any, name: str, depth: int, seen: set[int]) -> Iterator[tupl
             yield from _nodes(value, key, depth + 1, seen)
 
 
-def _pairs(mapping: Any) -> Iterator[tuple[str, Any]]:
+def pairs(mapping: Any) -> Iterator[tuple[str, Any]]:
     """The entries of a mapping whose keys are texts."""
     if getattr(mapping, "id", "") == "mapping":
         yield from ((key.value, value) for key, value in mapping.value if key.id == "scalar")
 
 
 def _get(mapping: Any, name: str) -> Any:
-    return next((value for key, value in _pairs(mapping) if key == name), None)
+    return next((value for key, value in pairs(mapping) if key == name), None)
 
 
 def _texts(node: Any) -> list[Any]:
@@ -188,7 +188,7 @@ def _texts(node: Any) -> list[Any]:
     return [each for each in nodes if each.id == "scalar" and not _UNKNOWN.search(each.value)]
 
 
-def _span(source: Source, scalar: Any) -> Span:
+def span_of(source: Source, scalar: Any) -> Span:
     """The place of a text, without its quotes."""
     quotes = 1 if scalar.style in {"'", '"'} else 0
     return Span(source, scalar.start_mark.index + quotes, scalar.end_mark.index - quotes)

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
+    from sdfcheck.robot.ros_files import BaseFrame, BridgeGap
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
 
@@ -184,6 +185,10 @@ def _class_in(holder: str, kind: str, name: str) -> type[Part]:
 _LISTENERS = frozenset({"sensor", "audio_source"})
 
 
+def _is_wheel(joint: Joint) -> bool:
+    return joint.type == "continuous" and "wheel" in f"{joint.name} {joint.child_name}".lower()
+
+
 def _customs(root: Root) -> list[Element]:
     if root.is_urdf:
         from sdfcheck.formats.urdf.survey import survey as urdf_survey
@@ -300,6 +305,25 @@ class Root(Whole):
         from sdfcheck.robot.resources import resources_of
 
         return resources_of(self)
+
+    @lazy
+    def bridge_gaps(self) -> tuple[BridgeGap, ...]:
+        """The sensors and systems whose messages no bridge to ROS of the project carries, though one means to."""
+        if not self.elements.get("sensor") and not self.elements.get("plugin"):
+            return ()
+        from sdfcheck.robot.ros_files import gaps
+
+        return tuple(gaps(self.document, self.each(Sensor), self.each(Plugin)))
+
+    @lazy
+    def missing_bases(self) -> tuple[BaseFrame, ...]:
+        """The frames that nodes of ROS take for the base of a robot of URDF on wheels, and that its project lacks."""
+        robot = self.models[0] if self.is_urdf and self.models else None
+        if robot is None or not robot.is_complete or not any(map(_is_wheel, robot.joints)):
+            return ()
+        from sdfcheck.robot.ros_files import missing_bases
+
+        return tuple(missing_bases(self.document, {link.name for link in robot.links}))
 
     @lazy
     def scopes(self) -> tuple[Scope, ...]:

@@ -512,15 +512,17 @@ class _Pairing:
 
     def unclosed(self, name: str, place: tuple[int, int], other: Span) -> None:
         """An end tag is missing at a place; those of the elements around it, too, are the same defect."""
+        inner = self.taken_back(SyntaxKind.UNCLOSED_ELEMENT, place)
+        self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, other, f"{inner}></{name}" if inner else name)
+
+    def taken_back(self, kind: SyntaxKind, place: tuple[int, int]) -> str:
+        """The name in the last defect, which becomes one with another of its kind at its place; else empty."""
         last = self.problems[-1][1] if self.problems and not self.has_enough_problems else None
-        if isinstance(last, SyntaxDefect) and (last.kind, last.span) == (
-            SyntaxKind.UNCLOSED_ELEMENT,
-            self.source.span(*place),
-        ):
-            self.problems.pop()
-            self.joined += 1
-            name = f"{last.detail}></{name}"
-        self.defect(SyntaxKind.UNCLOSED_ELEMENT, place, other, name)
+        if not isinstance(last, SyntaxDefect) or (last.kind, last.span) != (kind, self.source.span(*place)):
+            return ""
+        self.problems.pop()
+        self.joined += 1
+        return last.detail
 
     def mismatch(self, token: Token) -> None:
         """The end tag of the innermost element says another name; which of the two is misspelled?"""
@@ -550,7 +552,9 @@ class _Pairing:
             self.defect(SyntaxKind.EXTRA_END_TAG, here, self.name_span(self.tokens[opened]), token.name)
         else:
             place = self.evidence.place_before(orphans, self.evidence.indent(token.start))
-            self.defect(SyntaxKind.MISSING_START_TAG, place, self.source.span(*here), token.name)
+            inner = self.taken_back(SyntaxKind.MISSING_START_TAG, place)
+            name = f"{token.name}><{inner}" if inner else token.name
+            self.defect(SyntaxKind.MISSING_START_TAG, place, self.source.span(*here), name)
             self.doubt_lack(self.tokens[opened])
         self.step(Act.DROP, token)
         self.doubt(token.start if orphans is None else self.tokens[orphans].start, token.end)

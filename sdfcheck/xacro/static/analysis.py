@@ -198,14 +198,10 @@ def _commands(document: Document, visible: Definitions) -> Iterator[ExpansionFai
             whole = f"$({found.text})"
             span = place(found.element, found.attribute, whole)
             meant, own = nearest(word, COMMANDS), _IN_LAUNCH_FILES.get(word)
-            rest = (
-                f"; did you mean `{meant}`?"
-                if meant
-                else f" but in launch files: write `{own}`"
-                if own
-                else ""
-            )
-            detail = f"there is no `{word}`{rest}"
+            if meant is None and own is not None:
+                detail = f"`{word}` is a word of launch files: xacro has `{own}`"
+            else:
+                detail = f"there is no `{word}`{f'; did you mean `{meant}`?' if meant else ''}"
             yield ExpansionFailure(span, Failure.EXPRESSION, detail, whole)
         argument = _ARGUMENT.match(found.text)
         if argument and argument[1] not in declared:

@@ -13,6 +13,7 @@ import ast
 import operator
 import re
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from html import unescape
 from itertools import islice
 from pathlib import Path
@@ -156,21 +157,16 @@ class _Launches:
         self._around = _Surroundings(packages)
         by_name: dict[str, _Launch] = {}
         launches: list[_Launch] = []
-        for suffix in _SUFFIXES:
-            for path in islice(filter(_is_launch, packages.files(suffix, _NAME_LIMIT)), _FILE_LIMIT):
-                launch = self._read(path)
-                if launch is not None:
-                    launches.append(launch)
-                    by_name.setdefault(path.name, launch)
+        for path, text in launch_texts(packages):
+            launch = self._read(path, text)
+            if launch is not None:
+                launches.append(launch)
+                by_name.setdefault(path.name, launch)
         for launch in launches:
             for use in self._uses(launch, {}, by_name, 0):
                 self.uses.setdefault(use.file, []).append(use)
 
-    def _read(self, path: Path) -> _Launch | None:
-        try:
-            text = read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
-        except OSError:
-            return None
+    def _read(self, path: Path, text: str) -> _Launch | None:
         if "xacro" not in text and "nclude" not in text and "open(" not in text:
             return None
         if path.suffix != ".py":
@@ -185,6 +181,14 @@ class _Launches:
         for inner in tuple(launch.included(given)) if depth < _INCLUDES_DEEP else ():
             if inner.file in by_name and self._around.may_spend(0):
                 yield from self._uses(by_name[inner.file], inner.arguments, by_name, depth + 1)
+
+
+def launch_texts(packages: Packages) -> Iterator[tuple[Path, str]]:
+    """The launch files of a project with their texts, without those that cannot be read."""
+    for suffix in _SUFFIXES:
+        for path in islice(filter(_is_launch, packages.files(suffix, _NAME_LIMIT)), _FILE_LIMIT):
+            with suppress(OSError):
+                yield path, read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
 
 
 def _is_launch(path: Path) -> bool:

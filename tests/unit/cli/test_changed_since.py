@@ -55,6 +55,29 @@ def test_nothing_changed(clone: Path, capsys: pytest.CaptureFixture[str]) -> Non
 
 
 @pytest.mark.parametrize(
+    ("new", "text", "below"),
+    [
+        ("bringup/robot.launch.py", "", ""),
+        ("bringup/launch/robot.py", "", ""),
+        ("bringup/robot.launch", "", ""),
+        ("config/bridge.yaml", "- gz_type_name: gz.msgs.Image", ""),
+        ("config/nav2.yml", "robot_base_frame: base_link", ""),
+        ("urdf/kinematics.yaml", "arm: {}", "urdf/"),
+        ("models/CMakeLists.txt", "", "models/"),
+    ],
+)
+def test_descriptions_are_read_with_files_beside_them(
+    clone: Path, capsys: pytest.CaptureFixture[str], new: str, text: str, below: str
+) -> None:
+    everything = looked_at(capsys)
+    (clone / new).parent.mkdir(parents=True, exist_ok=True)
+    (clone / new).write_text(f"{text}\n")
+    expected = [file for file in everything if file.startswith(below)]
+    assert expected
+    assert looked_at(capsys, "--changed-since", "HEAD") == expected
+
+
+@pytest.mark.parametrize(
     ("changed", "affected"),
     [
         ("urdf/alone.urdf", ["urdf/alone.urdf"]),

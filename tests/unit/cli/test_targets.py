@@ -318,6 +318,40 @@ def test_xacro_of_sdformat_is_for_readers_of_sdformat(
     assert urdfdom == "urdfdom  not read: it does not know SDFormat"
 
 
+def test_macros_with_links_that_nothing_calls_make_no_robot(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "robot.xacro"
+    robot = '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>'
+    inner = '<xacro:macro name="inner" params="n"><link name="${n}"/></xacro:macro>'
+    outer = '<xacro:macro name="outer" params="n"><xacro:inner n="${n}"/></xacro:macro>'
+    (tmp_path / "macros.xacro").write_text(robot.format(inner + outer))
+    include = '<xacro:include filename="macros.xacro"/><transmission name="t"/><gazebo reference="a"/>'
+    for call, is_robot in (("", False), ('<xacro:outer n="a"/>', True)):
+        file.write_text(robot.format(include + call))
+        main(["targets", str(file), "--isolated", "--target", "urdfdom"])
+        assert ("not read: it is a part" not in capsys.readouterr().out) is is_robot
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("version https://git-lfs.github.com/spec/v1\noid sha256:aa\nsize 12\n", "a Git LFS pointer"),
+        ('{% for x in y %}<sdf version="1.9">{% endfor %}</sdf>', "a template"),
+        ("<mujoco/>", "MJCF"),
+    ],
+)
+def test_a_file_of_another_kind_gets_no_verdict(
+    text: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "model.sdf"
+    file.write_text(text)
+    assert main(["targets", str(file), "--isolated"]) == 2
+    shown = capsys.readouterr()
+    assert words in shown.err
+    assert "accept" not in shown.out
+
+
 def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "robot.gazebo.xacro"
     gazebo = '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>'

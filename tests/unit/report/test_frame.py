@@ -1,9 +1,12 @@
 from __future__ import annotations
 
+from pathlib import Path
 from textwrap import dedent
 
 import pytest
 
+from sdfcheck.lint.diagnostic import Label
+from sdfcheck.source.text import Source
 from tests.unit.report.runs import diagnostic, shown
 
 
@@ -195,3 +198,9 @@ def test_a_mark_longer_than_the_view_runs_on_below_the_ellipsis() -> None:
     code, mark = shown(diagnostic("<a «" + "b" * 500 + "»>")).splitlines()[2:]
     assert code == "1 | <a " + "b" * 117 + "…"
     assert mark == "  |    " + "^" * 118
+
+
+def test_a_label_in_a_file_that_is_not_shown_is_beside_its_place() -> None:
+    other = Source(Path("bridge.yaml"), "topic: scan\n", is_foreign=True)
+    found = diagnostic('<a «x="1"»/>', labels=(Label(other.span(7, 11), "taken here"),))
+    assert shown(found).splitlines()[-1] == " ::: bridge.yaml:1:8: taken here"

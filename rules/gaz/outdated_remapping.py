@@ -1,0 +1,92 @@
+import re
+from collections.abc import Iterator
+
+from sdfcheck import (
+    IN_LINK,
+    Bad,
+    Diagnostic,
+    Element,
+    Good,
+    Plugin,
+    Rule,
+    Severity,
+    TextEdit,
+    make_fix,
+    rename,
+)
+
+PLUGIN = '<sensor name="s" type="imu"><plugin name="p" filename="libgazebo_ros_imu_sensor.so"><ros>{}</ros></plugin></sensor>'
+ONE_COLON = re.compile(r"([^\s:=${}]+):(?!=)([^\s:=]+)")
+
+
+class OutdatedRemapping(Rule):
+    """A remapping of a plugin of Gazebo Classic is written as an argument, or lacks its `:=`.
+
+    `gazebo_ros` reads `<remapping>from:=to</remapping>`. In `<argument>` the same still works, and ROS 2 warns at each
+    start that it will not for ever; with a colon alone it lacks the `=` of a remapping, so the topic keeps its name.
+    """
+
+    code = "GAZ040"
+    name = "outdated-remapping"
+    severity = Severity.WARNING
+    remedy = "Write `<remapping>~/out:=scan</remapping>`."
+    looks_at = (Plugin,)
+    needs = ("argument", "remapping")
+    scaffold = IN_LINK
+
+    bad = (
+        Bad(
+            PLUGIN.format("<argument>«~/out:scan»</argument>"),
+            fixed=PLUGIN.format("<remapping>~/out:=scan</remapping>"),
+            unsafe=True,
+            says="`~/out:scan` lacks the `=` of a remapping, so the topic keeps its name",
+        ),
+        Bad(
+            PLUGIN.format("<remapping>«~/out:scan»</remapping>"),
+            fixed=PLUGIN.format("<remapping>~/out:=scan</remapping>"),
+            unsafe=True,
+        ),
+        Bad(
+            PLUGIN.format("<«argument»>~/out:=scan</argument>"),
+            fixed=PLUGIN.format("<remapping>~/out:=scan</remapping>"),
+            unsafe=True,
+            says="a remapping in `argument` is deprecated in ROS 2",
+        ),
+    )
+    good = (
+        Good(PLUGIN.format("<remapping>~/out:=scan</remapping>")),
+        Good(PLUGIN.format("<argument>--ros-args -r ~/out:=scan</argument>")),
+        Good(PLUGIN.format("<argument>__node:=front</argument>"), why="a name of a node"),
+    )
+
+    @staticmethod
+    def applies(plugin: Plugin) -> bool:
+        return any(True for _ in rules_of(plugin))
+
+    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for element in rules_of(plugin):
+            text = element.content.strip()
+            renamed = rename("remapping", element)
+            if ":=" in text:
+                message = "a remapping in `argument` is deprecated in ROS 2"
+                yield self.diagnostic(element, message, severity=Severity.INFO, fix=renamed)
+                continue
+            edits = (TextEdit(element.own_value.span, text.replace(":", ":=", 1)),)
+            if element.name == "argument" and renamed is not None:
+                edits += renamed.edits
+            fix = make_fix("write a remapping", edits, unsafe=True)
+            yield self.diagnostic(
+                element.own_value,
+                f"`{text}` lacks the `=` of a remapping, so the topic keeps its name",
+                fix=fix,
+            )
+
+
+def rules_of(plugin: Plugin) -> Iterator[Element]:
+    """The elements with a remapping that is out of date, or none."""
+    for ros in plugin.children("ros"):
+        for element in ros.children():
+            text = element.content.strip()
+            is_old = element.name == "argument" and ":=" in text and not text.startswith(("-", "__"))
+            if is_old or (element.name in {"argument", "remapping"} and ONE_COLON.fullmatch(text)):
+                yield element

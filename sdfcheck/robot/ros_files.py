@@ -1,0 +1,480 @@
+"""Topics and frames that YAML and launch files of a project name, beside those of its robots.
+
+Source: gz-sensors 8 to 10 and the systems of gz-sim 8 to 10 for topics, ros_gz_bridge for YAML and arguments, and Nav2,
+slam_toolbox and robot_localization for frames. Nothing of a launch file runs: topics that it computes are not known,
+and then nothing is said about messages of that type.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+from sdfcheck.files.library import library_of
+from sdfcheck.files.packages import Packages
+from sdfcheck.files.regular import read_regular
+from sdfcheck.robot.controllers import composed, pairs, span_of
+from sdfcheck.robot.graph import Plugin, Sensor
+from sdfcheck.source.document import Document, Value
+from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import Source, Span
+from sdfcheck.xacro.language import syntax_tree
+from sdfcheck.xacro.static.launches import launch_texts
+
+_LARGEST = 64 * 1024
+"""Bytes of a file of YAML that is read."""
+_MOST_FILES = 300
+"""So many files of each kind are looked through, and so many of them with a bridge are read."""
+_MOST_SAID = 256 * 1024
+"""Bytes of a description of which the topics are known."""
+_MOST_CARRIED = 1000
+_DEEPEST = 8
+_MOST_MERGED = 100
+_KEYS = ("gz_topic_name", "ign_topic_name")
+_TYPES = ("gz_type_name", "ign_type_name")
+_UNKNOWN = re.compile(r"[${}<>%]|^$")
+_ARGUMENT = re.compile(r"([^\s@{}$\"'<>%]{1,300})@[\w/]{1,200}([@\[\]])(?:gz|ignition)\.msgs\.(\w+)")
+"""An argument of ``parameter_bridge``: topic, type in ROS, direction, type in Gazebo."""
+_TYPE = re.compile(r"[@\[\]](?:gz|ignition)\.msgs\.(\w+)")
+_REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
+_ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
+"""A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
+_WORD = re.compile(r"[a-z]+|\d+")
+_SAID = re.compile(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
+_MOST_TOPICS = 5_000
+"""A description with more texts like topics may have any."""
+_DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
+
+_PARAMETERS = "ros__parameters"
+_BASE = re.compile(
+    r"^\s*(?:robot_base_frame|base_frame_id|base_frame|base_link_frame)\s*:\s*[\"']?([A-Za-z]\w{0,99})\b[\"']?\s*(?:#.*)?$",
+    re.MULTILINE,
+)
+_NODE_OF = {"base_frame_id": "amcl", "base_frame": "slam_toolbox"}
+"""Parameters for the base of a robot that are such a one in a node alone."""
+_BESIDE = {"base_link_frame": "odom_frame"}
+"""The same with the parameter that is beside it."""
+_PROGRAMS = (".py", ".launch", ".xml", ".cpp", ".hpp", ".lua")
+
+_PICTURE = {"Image": ("",), "CameraInfo": ("/../camera_info",)}
+_LIDAR = {"LaserScan": ("",), "PointCloudPacked": ("/points",)}
+_OF_SENSORS: Mapping[str, Mapping[str, tuple[str, ...]]] = {
+    "air_pressure": {"FluidPressure": ("",)},
+    "altimeter": {"Altimeter": ("",)},
+    "camera": _PICTURE,
+    "depth_camera": {**_PICTURE, "PointCloudPacked": ("/points",)},
+    "force_torque": {"Wrench": ("",)},
+    "gpu_lidar": _LIDAR,
+    "gpu_ray": _LIDAR,
+    "imu": {"IMU": ("",)},
+    "lidar": _LIDAR,
+    "magnetometer": {"Magnetometer": ("",)},
+    "navsat": {"NavSat": ("",)},
+    "ray": _LIDAR,
+    "rgbd_camera": {
+        "Image": ("/image", "/depth_image"),
+        "PointCloudPacked": ("/points",),
+        "CameraInfo": ("/camera_info",),
+    },
+    "thermal": _PICTURE,
+    "thermal_camera": _PICTURE,
+    "wideanglecamera": _PICTURE,
+}
+"""Type of a sensor → message → what follows its topic; ``/..`` is the topic without its last name."""
+
+_DRIVE = (
+    ("topic", "Twist", "/cmd_vel"),
+    ("odom_topic", "Odometry", "/odometry"),
+    ("tf_topic", "Pose_V", "/tf"),
+)
+_OF_SYSTEMS: Mapping[str, tuple[tuple[str, str, str], ...]] = {
+    "gz-sim-ackermann-steering-system": _DRIVE,
+    "gz-sim-diff-drive-system": _DRIVE,
+    "gz-sim-joint-controller-system": (("topic", "Double", "/cmd_vel"),),
+    "gz-sim-joint-position-controller-system": (("topic", "Double", "/cmd_pos"),),
+    "gz-sim-joint-state-publisher-system": (("topic", "Model", "/joint_state"),),
+    "gz-sim-mecanum-drive-system": _DRIVE,
+    "gz-sim-odometry-publisher-system": (
+        ("odom_topic", "Odometry", "/odometry"),
+        ("tf_topic", "Pose_V", "/pose"),
+    ),
+    "gz-sim-tracked-vehicle-system": _DRIVE,
+    "gz-sim-velocity-control-system": (("topic", "Twist", "/cmd_vel"),),
+}
+"""System → parameter, message, and the end of the topic that it makes of the model's name."""
+_OTHERWISE = frozenset(("sub_topic", "steering_only", "use_actuator_msg"))
+"""Parameters with which a system takes other topics."""
+_COMMANDS = frozenset(("Double", "Twist"))
+_INFO = "CameraInfo"
+
+
+# Bridges between ROS and Gazebo.
+
+
+class Bridged(NamedTuple):
+    """A topic of Gazebo that a bridge carries, without slashes around it."""
+
+    topic: str
+    message: str
+    span: Span
+    direction: str
+    """``[`` from Gazebo, ``]`` to Gazebo, ``@`` both ways."""
+
+    def goes(self, direction: str) -> bool:
+        return self.direction in {direction, "@"}
+
+
+class BridgeGap(NamedTuple):
+    """A sensor or system whose topics no bridge carries, and what a bridge carries instead, for nobody."""
+
+    part: Sensor | Plugin
+    message: str
+    parameter: str
+    """The element that gives its topic."""
+    topic: str
+    """Where it publishes or listens; empty for a topic that Gazebo makes of names."""
+    value: Value | None
+    bridged: Bridged
+    names: str
+    """Those of link and sensor in a topic that Gazebo makes of them, where a bridge has others; else empty."""
+
+
+def _words(text: str) -> Set[str]:
+    return frozenset(_WORD.findall(text.lower()))
+
+
+def _is_made(topic: str) -> bool:
+    """Does Gazebo make a topic of names?"""
+    return topic.startswith(("model/", "world/"))
+
+
+class _Bridges:
+    """The topics that the bridges of a project carry."""
+
+    __slots__ = ("_packages", "_said", "carried", "unknown")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._said: dict[Path, tuple[frozenset[str], bool]] | None = None
+        self.carried: list[Bridged] = []
+        self.unknown: set[str] = set()
+        """Types of messages that are carried on topics which are not known; empty text: all types."""
+        for path, text in launch_texts(packages):
+            if ".msgs." in text or "_bridge" in text:
+                self._take(list(_of_launch(Source(path, text, is_foreign=True), self.unknown)))
+        for path in _files(packages, (".yaml", ".yml")):
+            text = _text(path, _LARGEST)
+            if any(key in text for key in _TYPES):
+                self._take(list(_of_yaml(Source(path, text, is_foreign=True))))
+
+    def _take(self, found: Iterable[Bridged]) -> None:
+        for each in found:
+            if _UNKNOWN.search(each.topic):
+                self.unknown.add(each.message)
+            elif len(self.carried) < _MOST_CARRIED:
+                self.carried.append(each)
+
+    def is_said(self, topic: str, own: set[Path]) -> bool:
+        """May another description of the project publish on a topic, or listen to it?"""
+        if self._said is None:
+            self._said = {
+                path: _topics(_text(path, _MOST_SAID)) for path in _files(self._packages, _DESCRIPTIONS)
+            }
+        names = topic.split("/")
+        around = {"/".join(names[:count]) for count in range(1, len(names))}
+        return any(
+            topic in topics or (path not in own and (is_open or not around.isdisjoint(topics)))
+            for path, (topics, is_open) in self._said.items()
+        )
+
+
+def _files(packages: Packages, suffixes: Iterable[str]) -> Iterator[Path]:
+    for suffix in suffixes:
+        yield from packages.files(suffix, _MOST_FILES)
+
+
+def _text(path: Path, most: int) -> str:
+    try:
+        return read_regular(path, most).decode("utf-8-sig", "replace")
+    except OSError:
+        return ""
+
+
+def _topics(text: str) -> tuple[frozenset[str], bool]:
+    """The texts of a description that may be topics, and whether it has sensors whose topics are not known."""
+    bare = _REMARK.sub("", text)
+    sensors = (after.partition("</sensor>")[0] for after in bare.split("<sensor")[1:])
+    is_open = any("<topic>" not in each or "$" in each for each in sensors)
+    topics = frozenset(each.rstrip("/") for each in _SAID.findall(bare))
+    return (topics, is_open) if len(topics) < _MOST_TOPICS else (frozenset(), True)
+
+
+def _of_launch(source: Source, unknown: set[str]) -> Iterator[Bridged]:
+    """The topics that a launch file gives to its bridges; adds types of messages that it computes to ``unknown``."""
+    text = _REMARK.sub(lambda match: " " * len(match[0]), source.text)
+    if _ELSEWHERE.search(text):
+        unknown.add("")
+    if "image_bridge" in text:
+        unknown.add("Image")
+    found = [match for match in _ARGUMENT.finditer(text) if _is_alone(text, match)]
+    if source.path.suffix == ".py" and found:
+        whole = _whole_texts(text)
+        found = [match for match in found if match[0] in whole]
+    types = [match[1] for match in _TYPE.finditer(text)]
+    for match in found:
+        types.remove(match[3])
+        start = match.start()
+        yield Bridged(match[1].strip("/"), match[3], Span(source, start, start + len(match[1])), match[2])
+    unknown.update(types)
+
+
+def _is_alone(text: str, match: re.Match[str]) -> bool:
+    """Does nothing but a quote or a blank stand around an argument?"""
+    around = text[match.start() - 1 : match.start()] + text[match.end() : match.end() + 1]
+    return not around.strip("\"' \t\n")
+
+
+def _whole_texts(text: str) -> frozenset[str]:
+    """The texts of a program that are elements of lists in which no text is a piece of a longer one."""
+    try:
+        tree = syntax_tree(text, "exec")
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return frozenset()
+    lists = (node.elts for node in ast.walk(tree) if isinstance(node, ast.List | ast.Tuple))
+    return frozenset(
+        each.value
+        for elements in lists
+        if all(map(_is_whole, elements))
+        for each in elements
+        if isinstance(each, ast.Constant) and isinstance(each.value, str)
+    )
+
+
+def _is_whole(node: ast.expr) -> bool:
+    if isinstance(node, ast.Constant):
+        return "@" in str(node.value) or str(node.value).startswith("-")
+    return not isinstance(node, ast.Call | ast.Name)
+
+
+def _of_yaml(source: Source) -> Iterator[Bridged]:
+    """The topics that a file in YAML gives to a bridge."""
+    for entry in _mappings(composed(source.text), 0, set()):
+        given = dict(pairs(entry))
+        topic = next((given[key] for key in (*_KEYS, "topic_name", "ros_topic_name") if key in given), None)
+        kind = next((given[key] for key in _TYPES if key in given), None)
+        if topic is None or topic.id != "scalar" or kind is None or kind.id != "scalar":
+            continue
+        way = given.get("direction")
+        direction = {"GZ_TO_ROS": "[", "ROS_TO_GZ": "]"}.get(getattr(way, "value", ""), "@")
+        yield Bridged(
+            topic.value.strip("/ "), kind.value.rpartition(".")[2], span_of(source, topic), direction
+        )
+
+
+def _mappings(node: Any, depth: int, seen: set[int]) -> Iterator[Any]:
+    """The mappings in a node, each once."""
+    kind = getattr(node, "id", "")
+    if depth > _DEEPEST or id(node) in seen or kind not in {"mapping", "sequence"}:
+        return
+    seen.add(id(node))
+    if kind == "mapping":
+        yield node
+    for each in node.value if kind == "sequence" else (value for _, value in pairs(node)):
+        yield from _mappings(each, depth + 1, seen)
+
+
+class _End(NamedTuple):
+    """A sensor or system, and its topics by the messages on them; None: they are not known."""
+
+    part: Sensor | Plugin
+    topics: Mapping[str, tuple[str, ...]] | None
+    usual: str
+    """A part of the topics that Gazebo makes of names; empty where a topic is given."""
+    messages: tuple[str, ...]
+    parameter: str
+    value: Value | None
+
+    def takes(self, carried: Bridged) -> bool:
+        """Is it what a bridge carries?"""
+        if carried.message not in self.messages or not carried.goes(self.way):
+            return False
+        if self.usual:
+            return self.usual in f"/{carried.topic}/" and _is_made(carried.topic)
+        return self.topics is None or carried.topic in self.topics.get(carried.message, ())
+
+    def may_be_meant_by(self, carried: Bridged) -> bool:
+        """May a topic that nobody has be meant for it: one that a person chose, or one made of its name?"""
+        is_named = not _is_made(carried.topic) or f"/sensor/{self.part.name}/" in carried.topic
+        return is_named and carried.goes(self.way)
+
+    @property
+    def way(self) -> str:
+        """The direction in which a bridge carries its messages."""
+        return "[" if _COMMANDS.isdisjoint(self.messages) else "]"
+
+    @property
+    def words(self) -> Set[str]:
+        """The words in its names and topics."""
+        topics = chain.from_iterable((self.topics or {}).values())
+        names = (self.part.name, *(child.content for child in self.part.children("joint_name")))
+        return _words(" ".join((*topics, *names)))
+
+
+def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin]) -> Iterator[BridgeGap]:
+    """The sensors and systems of a document whose messages no bridge of the project carries, though one means to."""
+    library = library_of(document)
+    ends = [*_of_sensors(sensors), *_of_systems(plugins)] if library is not None else []
+    if library is None or not ends:
+        return
+    bridges = library.of_project(document.path, _Bridges)
+    if "" in bridges.unknown:
+        return
+    own = {document.path, *(end.part.element.span.source.path for end in ends)}
+    open_types = {message for end in ends if end.topics is None for message in end.messages} | bridges.unknown
+    lacking = [(end, _lacking(end, ends, bridges.carried, open_types)) for end in ends]
+    for each in bridges.carried:
+        if each.message in open_types or any(end.takes(each) for end in ends):
+            continue
+        meant = [one for one in lacking if each.message in one[1] and one[0].may_be_meant_by(each)]
+        if meant and not bridges.is_said(each.topic, own):
+            words = _words(each.topic)
+            end, messages = max(meant, key=lambda one: len(one[0].words & words))
+            messages.discard(each.message)
+            topic = next(iter((end.topics or {}).get(each.message, ())), "")
+            names = end.usual.strip("/") if _is_made(each.topic) else ""
+            yield BridgeGap(end.part, each.message, end.parameter, topic, end.value, each, names)
+
+
+def _lacking(end: _End, ends: Iterable[_End], carried: Sequence[Bridged], open_types: Set[str]) -> set[str]:
+    """The messages of a sensor or system that no bridge carries, as far as that is known.
+
+    Where one carries the pictures of the only camera, its calibration is looked at alone.
+    """
+    if open_types.isdisjoint(end.messages) and not any(map(end.takes, carried)):
+        return set(end.messages)
+    is_only = _INFO in end.messages and sum(_INFO in each.messages for each in ends) == 1
+    is_carried = any(each.message == _INFO and end.takes(each) for each in carried)
+    return {_INFO} if is_only and not is_carried else set()
+
+
+def _of_sensors(sensors: Iterable[Sensor]) -> Iterator[_End]:
+    for sensor in islice(sensors, _MOST_FILES):
+        follow = _OF_SENSORS.get(sensor.type)
+        if follow is None or sensor.plugins:
+            continue
+        value, topic = sensor.value("topic"), sensor.topic.strip("/ ")
+        is_known = value is None or not _UNKNOWN.search(value.span.text.strip("/ "))
+        topics = {message: tuple(_joined(topic, end) for end in ends) for message, ends in follow.items()}
+        camera = sensor.find("camera")
+        info = camera.find("camera_info_topic") if camera is not None and sensor.type == "camera" else None
+        if info is not None:
+            topics[_INFO] = (info.content.strip("/ "),)
+            is_known = is_known and "$" not in info.span.text
+        usual = "" if topic else f"/link/{_carrier(sensor)}/sensor/{sensor.name}/"
+        yield _End(
+            sensor, (topics if topic else {}) if is_known else None, usual, tuple(follow), "topic", value
+        )
+
+
+def _carrier(sensor: Sensor) -> str:
+    """The link that Gazebo has a sensor in: of URDF the one that fixed joints merge its link into."""
+    link = sensor.link
+    for _ in range(_MOST_MERGED):
+        joint = next(iter(link.parent_joints), None) if link is not None else None
+        if joint is None or not joint.is_lumped or joint.parent_link is None:
+            break
+        link = joint.parent_link
+    return link.name if link is not None else ""
+
+
+def _joined(topic: str, end: str) -> str:
+    if end.startswith("/.."):
+        return (topic.rpartition("/")[0] + end[3:]).strip("/")
+    return topic + end
+
+
+def _of_systems(plugins: Iterable[Plugin]) -> Iterator[_End]:
+    for plugin in islice(plugins, _MOST_FILES):
+        rows = _OF_SYSTEMS.get(plugin.known.file, ()) if plugin.known is not None else ()
+        if not rows or any(plugin.has(name) for name in _OTHERWISE):
+            continue
+        for parameter, message, end in rows:
+            value = plugin.value(parameter)
+            topic = "" if value is None else value.text.strip("/ ")
+            is_known = value is None or not _UNKNOWN.search(value.span.text.strip("/ "))
+            topics = {message: (topic,)} if topic else {}
+            yield _End(
+                plugin, topics if is_known else None, "" if topic else f"{end}/", (message,), parameter, value
+            )
+
+
+# Frames.
+
+
+class BaseFrame(NamedTuple):
+    """A frame that a node of ROS takes for the base of the robot."""
+
+    node: str
+    name: str
+    span: Span
+
+
+class _Frames:
+    """The frames that nodes of a project take for the bases of its robots, and the names in its other files."""
+
+    __slots__ = ("_named", "_packages", "_sources", "names")
+
+    def __init__(self, packages: Packages) -> None:
+        self._packages = packages
+        self._named: dict[str, bool] = {}
+        texts = ((path, _text(path, _LARGEST)) for path in _files(packages, (".yaml", ".yml")))
+        self._sources = [Source(path, text, is_foreign=True) for path, text in texts if _BASE.search(text)]
+        self.names = frozenset(name for source in self._sources for name in _BASE.findall(source.text))
+
+    def of(self, name: str) -> Iterator[BaseFrame]:
+        """The places at which nodes give a frame."""
+        for source in self._sources:
+            if name in source.text:
+                yield from (each for each in _bases(source) if each.name == name)
+
+    def is_named(self, name: str) -> bool:
+        """Does a description, launch file or program of the project have a name?"""
+        if name not in self._named:
+            word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+            files = _files(self._packages, (*_DESCRIPTIONS, *_PROGRAMS))
+            self._named[name] = any(word.search(_text(path, _MOST_SAID)) for path in files)
+        return self._named[name]
+
+
+def _bases(source: Source) -> Iterator[BaseFrame]:
+    """The frames that nodes take for the base of a robot, by a file of parameters."""
+    waiting = [("", composed(source.text))]
+    seen: set[int] = set()
+    while waiting:
+        node, mapping = waiting.pop()
+        if id(mapping) in seen:
+            continue
+        seen.add(id(mapping))
+        given = dict(pairs(mapping))
+        waiting += [(node if name == _PARAMETERS else name, value) for name, value in given.items()]
+        for name in ("robot_base_frame", *_NODE_OF, *_BESIDE):
+            value = given.get(name)
+            is_meant = node.startswith(_NODE_OF.get(name, "")) and _BESIDE.get(name, name) in given
+            if value is not None and value.id == "scalar" and is_meant:
+                yield BaseFrame(node, value.value, span_of(source, value))
+
+
+def missing_bases(document: Document, links: Collection[str]) -> Iterator[BaseFrame]:
+    """The frames that nodes of the project take for the base of a robot, and that nothing in the project has."""
+    library = library_of(document)
+    if library is None:
+        return
+    frames = library.of_project(document.path, _Frames)
+    for name in sorted(frames.names.difference(links)):
+        is_prefixed = any(name.endswith(link) for link in links)
+        if not is_prefixed and (found := list(frames.of(name))) and not frames.is_named(name):
+            yield from found
