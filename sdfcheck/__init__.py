@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     from sdfcheck.lint.rulebook.vendor_rule import VendorRule
     from sdfcheck.lint.run import Run
     from sdfcheck.release import __version__
-    from sdfcheck.robot.controllers import ControllerNeed
+    from sdfcheck.robot.controllers import ControllerNeed, Mistyped, Parameter, Unreached
     from sdfcheck.robot.graph import (
         Actor,
         Axis,
@@ -81,6 +81,7 @@ if TYPE_CHECKING:
         ControlComponent,
         ControlInterface,
         ControlTransmission,
+        Drive,
         Dynamics,
         GazeboBlock,
         Gripper,
@@ -150,9 +151,9 @@ _HOMES = {
     "sdfcheck.robot.graph": (
         "Model Scope World Tree Transmission ControlTransmission Ros2Control ControlComponent "
         "ControlInterface Axis Dynamics Limit Mimic Joint GazeboBlock Include Inertial Link Light "
-        "Contact Sensor Collision Shape Visual Actor Gripper Physics State Plugin"
+        "Contact Sensor Collision Shape Visual Actor Gripper Physics State Plugin Drive"
     ),
-    "sdfcheck.robot.controllers": "ControllerNeed",
+    "sdfcheck.robot.controllers": "ControllerNeed Mistyped Parameter Unreached",
     "sdfcheck.robot.includes.included": "Obstacle",
     "sdfcheck.robot.includes.model_config": "ConfigFault ModelConfig",
     "sdfcheck.robot.includes.uri_spelling": "UriFault",
@@ -208,6 +209,7 @@ __all__ = [
     "DescriptionError",
     "Diagnostic",
     "Document",
+    "Drive",
     "Dynamics",
     "Edit",
     "EditError",
@@ -236,6 +238,7 @@ __all__ = [
     "Mimic",
     "Missing",
     "MissingKind",
+    "Mistyped",
     "Model",
     "ModelConfig",
     "Name",
@@ -245,6 +248,7 @@ __all__ = [
     "Number",
     "Obstacle",
     "Origin",
+    "Parameter",
     "Part",
     "Physics",
     "Pieces",
@@ -277,6 +281,7 @@ __all__ = [
     "TextEdit",
     "Transmission",
     "Tree",
+    "Unreached",
     "Unreadable",
     "UriFault",
     "Value",

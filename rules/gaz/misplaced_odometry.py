@@ -1,12 +1,26 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Model, Plugin, Rule, Severity, Value
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Link, Model, Parameter, Plugin, Rule, Severity, Value
 from sdfcheck_rules.gaz.unknown_sensor_frame import robot_of
 
 DRIVE = (
     '<link name="wheel"/><joint name="j" type="continuous"><parent link="base"/><child link="wheel"/></joint><gazebo>'
     '<plugin filename="libgazebo_ros_planar_move.so" name="d"><robotBaseFrame>{}</robotBaseFrame></plugin></gazebo>'
 )
+CONTROLLED = (
+    '<link name="wheel"/><joint name="j" type="continuous"><parent link="base"/><child link="wheel"/></joint>'
+    '<ros2_control name="c" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin></hardware>'
+    '<joint name="j"><command_interface name="velocity"/></joint></ros2_control><gazebo>'
+    '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+    "<{}>c.yaml</parameters></plugin></gazebo>"
+)
+
+
+def controller(base: str, more: str = "") -> dict[str, str]:
+    kind = "diff_drive_controller/DiffDriveController"
+    return {"c.yaml": f"drive: {{ros__parameters: {{type: {kind}, base_frame_id: {base}{more}}}}}\n"}
+
+
 NAMES = ("robot_base_frame", "robotBaseFrame", "child_frame_id")
 SWITCHES = {
     "gazebo_ros_skid_steer_drive": ("broadcastTF", False),
@@ -20,7 +34,8 @@ class MisplacedOdometry(Rule):
 
     In the tree of tf a frame has one parent. `robot_state_publisher` says that the link hangs on another one, and the
     plugin that it hangs on `odom`: the tree falls into two, and what looks up a transform fails or sees the robot jump.
-    A link that the robot does not have is not tied to the robot at all.
+    A link that the robot does not have is not tied to the robot at all. The drives of ros2_control say the link as
+    `base_frame_id`, in the file that the plugin of the simulator names.
     """
 
     code = "GAZ020"
@@ -41,6 +56,11 @@ class MisplacedOdometry(Rule):
             unsafe=True,
             says="`bases` is not a link of robot `r`, and nothing ties",
         ),
+        Bad(
+            CONTROLLED.format("«parameters»"),
+            files=controller("wheel"),
+            says="link `wheel` hangs on link `base`, and `base_frame_id` of controller `drive` would hang it",
+        ),
     )
     good = (
         Good(DRIVE.format("base")),
@@ -52,15 +72,30 @@ class MisplacedOdometry(Rule):
             },
             why="the plugin of ROS 2 does not read it",
         ),
+        Good(CONTROLLED.format("parameters"), files=controller("base")),
+        Good(
+            CONTROLLED.format("parameters"),
+            files=controller("wheel", ", enable_odom_tf: false"),
+            why="something else publishes it",
+        ),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return plugin.is_extension and carried(plugin) is not None
+        return plugin.is_extension and (carried(plugin) is not None or bool(written(plugin)))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
+        for parameter, hanging in written(plugin):
+            above = hanging.parent_joints[0]
+            by = f"`base_frame_id` of controller `{parameter.name}` would hang it on the odometry"
+            yield self.diagnostic(
+                plugin.file_of_controllers or plugin,
+                f"{hanging.title} hangs on link `{above.parent_name}`, and {by}",
+                labels={parameter.span: "written here", above: "hangs it there"},
+            )
         found = carried(plugin)
-        assert found is not None
+        if found is None:
+            return
         value, robot, link = found
         if link is None:
             name = value.text.strip()
@@ -71,6 +106,15 @@ class MisplacedOdometry(Rule):
         parent, name = joint.parent_name, value.element.name
         message = f"{link.title} hangs on link `{parent}`, and `{name}` would hang it on the odometry"
         yield self.diagnostic(value, message, labels={joint: "hangs it there"})
+
+
+def written(plugin: Plugin) -> list[tuple[Parameter, Link]]:
+    """The links that controllers carry about in tf, if a joint leads to them."""
+    if "ros2_control" not in plugin.filename or not plugin.controllers.frames:
+        return []
+    links = robot_of(plugin).tree.links
+    found = ((each, links.get(each.content)) for each in plugin.controllers.frames)
+    return [(parameter, link) for parameter, link in found if link is not None and link.parent_joints]
 
 
 def carried(plugin: Plugin) -> tuple[Value, Model, Link | None] | None:

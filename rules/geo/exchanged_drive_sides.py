@@ -1,15 +1,15 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
-from sdfcheck_rules.geo.scaffolds import car, rover
+from sdfcheck_rules.geo.scaffolds import car, controlled, controllers, rover
 
 
 class ExchangedDriveSides(Rule):
     """The left wheel of a drive is on the right, or a front wheel at the back.
 
-    The plugin turns and steers the wheels by their names alone: with the sides exchanged the robot turns right on the
-    command to turn left, and its odometry says the opposite. Left is where the axes of the wheels point to, for
-    positive speeds drive forwards.
+    The plugin or controller turns and steers the wheels by their names alone: with the sides exchanged the robot turns
+    right on the command to turn left, and its odometry says the opposite. Left is where the axes of the wheels point
+    to, for positive speeds drive forwards.
     """
 
     code = "GEO009"
@@ -29,6 +29,11 @@ class ExchangedDriveSides(Rule):
             says="`left_joint` names `right_joint`, which is 0.34 m to the right of `left_joint`",
         ),
         Bad(
+            controlled(rover(), "«parameters»"),
+            files=controllers(left="right", right="left"),
+            says="`left_wheel_names` of `c.yaml` names `right_joint`, which is 0.34 m to the right",
+        ),
+        Bad(
             car(base="0.5")
             .replace("<front_left_joint>front", "<front_left_joint>«back")
             .replace("joint</front_left", "joint»</front_left")
@@ -40,18 +45,19 @@ class ExchangedDriveSides(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return plugin.drive is not None and plugin.drive.misplaced is not None
+        return any(drive.misplaced is not None for drive in plugin.drives)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        drive = plugin.drive
-        if drive is None or drive.misplaced is None:
-            return
-        wheel, other, way = drive.misplaced
-        distance = abs(wheel.ahead_of(other, drive.left.axis))
-        if way == "behind":
-            distance = drive.axle_distance
-        yield self.diagnostic(
-            wheel.name.own_value,
-            f"`{wheel.name.name}` names `{wheel.joint.name}`, which is {distance:.3g} m {way} `{other.joint.name}`",
-            labels={other.name: "the other one"},
-        )
+        for drive in plugin.drives:
+            if drive.misplaced is None:
+                continue
+            wheel, other, way = drive.misplaced
+            distance = abs(wheel.ahead_of(other, drive.left.axis))
+            if way == "behind":
+                distance = drive.axle_distance
+            yield self.diagnostic(
+                drive.place(wheel.name) or plugin,
+                f"{drive.called(wheel.name)} names `{wheel.joint.name}`, which is {distance:.3g} m {way}"
+                f" `{other.joint.name}`",
+                labels={**drive.labels(wheel.name), other.name: "the other one"},
+            )

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
-from sdfcheck_rules.geo.scaffolds import rover
+from sdfcheck import Bad, Diagnostic, Drive, Good, Plugin, Rule, Severity
+from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 MOST = 0.1
 """Of the radius that the plugin says."""
@@ -10,7 +10,7 @@ ALIKE = 0.01
 
 
 class MismatchedWheelRadius(Rule):
-    """The wheels of a differential drive have another radius than the plugin says, or two different ones.
+    """The wheels of a differential drive have another radius than the plugin or controller says, or two different ones.
 
     Speed and odometry are computed from one radius. Of two wheels that differ the larger one gets ahead: the robot
     drives in a circle.
@@ -33,6 +33,11 @@ class MismatchedWheelRadius(Rule):
             says="the wheels have a radius of 0.1 m, and `wheel_radius` says 0.15",
         ),
         Bad(
+            controlled(rover(), "«parameters»"),
+            files=controllers(wheel_radius="0.2"),
+            says="and `wheel_radius` of `c.yaml` says 0.2",
+        ),
+        Bad(
             rover(radius="«0.096»"),
             says="the right wheel has a radius of 0.096 m, and the left one of 0.1 m",
         ),
@@ -41,14 +46,15 @@ class MismatchedWheelRadius(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return differ(plugin) or is_mismatched(plugin)
+        return any(differ(drive) or is_mismatched(drive) for drive in plugin.drives)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        drive = plugin.drive
-        if drive is None:
-            return
+        for drive in plugin.drives:
+            yield from self.of_drive(plugin, drive)
+
+    def of_drive(self, plugin: Plugin, drive: Drive) -> Iterator[Diagnostic]:
         left, right = drive.left, drive.right
-        if differ(plugin):
+        if differ(drive):
             link, other = right.joint.child_link, left.joint.child_link
             shapes = [(each.collisions or each.visuals)[0] for each in (link, other) if each is not None]
             yield self.diagnostic(
@@ -56,27 +62,24 @@ class MismatchedWheelRadius(Rule):
                 f"the right wheel has a radius of {right.radius:.3g} m, and the left one of {left.radius:.3g} m",
                 labels={
                     shapes[1].geometry.radius: "the other radius",
-                    plugin: "this drive takes one for both",
+                    plugin: f"this {drive.title.split()[0]} takes one for both",
                 },
             )
-        elif drive.radius is not None:
+        elif drive.radius is not None and is_mismatched(drive):
+            labels = {left.joint: "the left wheel", right.joint: "the right wheel"}
             yield self.diagnostic(
-                drive.radius.own_value,
-                f"the wheels have a radius of {left.radius:.3g} m, and `{drive.radius.name}` says"
+                drive.place(drive.radius) or plugin,
+                f"the wheels have a radius of {left.radius:.3g} m, and {drive.called(drive.radius)} says"
                 f" {drive.radius.content.strip()}",
-                labels={left.joint: "the left wheel", right.joint: "the right wheel"},
+                labels={**drive.labels(drive.radius), **labels},
             )
 
 
-def differ(plugin: Plugin) -> bool:
+def differ(drive: Drive) -> bool:
     """Have the two wheels different radii?"""
-    drive = plugin.drive
-    return drive is not None and abs(drive.left.radius - drive.right.radius) > ALIKE * drive.left.radius
+    return abs(drive.left.radius - drive.right.radius) > ALIKE * drive.left.radius
 
 
-def is_mismatched(plugin: Plugin) -> bool:
+def is_mismatched(drive: Drive) -> bool:
     """Is the written radius another one than that of all wheels?"""
-    drive = plugin.drive
-    if drive is None:
-        return False
     return all(abs(drive.written_radius - wheel.radius) > MOST * wheel.radius for wheel in drive.wheels)

@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
-from sdfcheck_rules.geo.scaffolds import rover
+from sdfcheck import Bad, Diagnostic, Drive, Good, Plugin, Rule, Severity
+from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 MOST = 0.1
 """Of the distance: of 57 drives in public robots two differ by more, and one of these by a factor of two."""
@@ -11,10 +11,11 @@ SKID = 2.2
 
 
 class MismatchedWheelSeparation(Rule):
-    """The wheels of a differential drive are not as far apart as the plugin says.
+    """The wheels of a differential drive are not as far apart as the plugin says, or its controller.
 
     It computes the speeds of the wheels and the odometry from `wheel_separation`: with half of the distance
-    the robot turns half as far as it believes.
+    the robot turns half as far as it believes. A `diff_drive_controller` has it in the file of parameters that the
+    plugin of ros2_control names.
     """
 
     code = "GEO011"
@@ -33,33 +34,44 @@ class MismatchedWheelSeparation(Rule):
             rover(wheel_separation="«0.17»"),
             says="the wheels are 0.34 m apart, and `wheel_separation` says 0.17",
         ),
+        Bad(
+            controlled(rover(), "«parameters»"),
+            files=controllers(wheel_separation="1.7"),
+            says="the wheels are 0.34 m apart, and `wheel_separation` of `c.yaml` says 1.7",
+        ),
     )
     good = (
         Good(rover(wheel_separation="0.34")),
+        Good(
+            controlled(rover()),
+            files=controllers(wheel_separation="0.17", wheel_separation_multiplier="2.0"),
+            why="it is corrected",
+        ),
         Good(rover(wheel_separation="0.33"), why="measured between other points of the wheels"),
         Good(rover(wheel_separation="0.44", beyond=0.05), why="the joints are on the inner sides"),
     )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return is_mismatched(plugin)
+        return any(is_mismatched(drive) for drive in plugin.drives)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        drive = plugin.drive
-        if drive is None or drive.separation is None:
-            return
-        yield self.diagnostic(
-            drive.separation.own_value,
-            f"the wheels are {abs(drive.distance):.3g} m apart, and `{drive.separation.name}` says"
-            f" {drive.separation.content.strip()}",
-            labels={drive.left.joint: "the left wheel", drive.right.joint: "the right wheel"},
-        )
+        for drive in plugin.drives:
+            written = drive.separation
+            if written is None or not is_mismatched(drive):
+                continue
+            labels = {drive.left.joint: "the left wheel", drive.right.joint: "the right wheel"}
+            yield self.diagnostic(
+                drive.place(written) or plugin,
+                f"the wheels are {abs(drive.distance):.3g} m apart, and {drive.called(written)} says"
+                f" {written.content.strip()}",
+                labels={**drive.labels(written), **labels},
+            )
 
 
-def is_mismatched(plugin: Plugin) -> bool:
+def is_mismatched(drive: Drive) -> bool:
     """Is the written distance another one than that of the wheels?"""
-    drive = plugin.drive
-    if drive is None or drive.separation is None or not drive.separation.own_value.number > 0:
+    if drive.separation is None or not drive.separation.own_value.number > 0:
         return False
     written, skids = drive.separation.own_value.number, len(drive.lefts) > 1 and drive.base is None
     return is_other(written, drive.distance, skids) and is_other(written, drive.distance_of_middles, skids)

@@ -27,11 +27,26 @@ def robot(*links: str) -> str:
     return f'<robot name="r">{text}</robot>'
 
 
+WHEEL = (
+    '<{0} name="{1}"><pose>0 {2} 0 1.5708 0 0</pose><inertial><mass>1</mass><inertia><ixx>0.0026</ixx>'
+    '<iyy>0.0026</iyy><izz>0.005</izz></inertia></inertial><visual name="v"><geometry><cylinder><radius>0.1</radius>'
+    '<length>0.04</length></cylinder></geometry></visual></link><joint name="{1}_joint" type="revolute">'
+    "<parent>hull</parent><child>{1}</child><axis><xyz>0 0 -1</xyz></axis></joint>"
+)
+VEHICLE = (
+    '<sdf version="1.9"><model name="m"><link name="hull"><collision name="c"><geometry><box><size>1 0.6 0.6</size>'
+    f"</box></geometry></collision></link>{WHEEL.format('«link»', 'left', 0.4)}{WHEEL.format('link', 'right', -0.4)}"
+    '<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">'
+    "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin></model></sdf>"
+)
+
+
 class MissingCollision(Rule):
-    """A link that moves has a visual and no collision, and its counterparts have one.
+    """A link that moves has a visual and no collision, and its counterparts have one, or it is a wheel of a drive.
 
     It passes through everything. The counterparts are the links of the same name on the other sides (`left_wheel`
-    and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five.
+    and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five. A drive turns wheels
+    without collisions in the air: the robot falls through the floor, or lies on it.
     """
 
     code = "GEO008"
@@ -53,6 +68,10 @@ class MissingCollision(Rule):
         Bad(
             robot("base visual", *(f"{name} visual collision" for name in "abcde"), "!tip visual"),
             says="link `tip` moves and has no collision, unlike all other links that move",
+        ),
+        Bad(
+            VEHICLE,
+            says="link `left` is a wheel of drive `gz::sim::systems::DiffDrive` and has no collision, nor has any",
         ),
     )
     good = (
@@ -101,14 +120,35 @@ class MissingCollision(Rule):
 
     @staticmethod
     def applies(model: Model) -> bool:
-        return bool(lacking(model))
+        return bool(lacking(model)) or bool(wheels(model))
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
+        for link, title in wheels(model):
+            message = f"{link.title} is a wheel of {title} and has no collision, nor has any of its others"
+            yield self.diagnostic(link, message)
         for link, counterpart in lacking(model):
             unlike = "all other links that move" if counterpart is None else f"`{counterpart.name}`"
             labels = {} if counterpart is None else {counterpart: "has one"}
             message = f"{link.title} moves and has no collision, unlike {unlike}"
             yield self.diagnostic(link, message, labels=labels)
+
+
+def wheels(model: Model) -> list[tuple[Link, str]]:
+    """The first wheel of each drive none of whose wheels collides, with the drive."""
+    found = []
+    for drive in (each for plugin in model.plugins for each in plugin.drives):
+        links = [wheel.joint.child_link for wheel in drive.wheels]
+        own = [link for link in links if link is not None and link.model is model and not touches(link)]
+        if len(own) == len(links) and own[0].has("visual") and own[0].has_mass:
+            found.append((own[0], drive.title))
+    return found[:1]
+
+
+def touches(link: Link) -> bool:
+    """Has a link a collision, or one that is tied to it, or one that is switched off or misspelled?"""
+    return any(
+        (link.has("collision"), link.misspells("collision"), link.switches_off("collision"), is_covered(link))
+    )
 
 
 def lacking(model: Model) -> list[tuple[Link, Link | None]]:

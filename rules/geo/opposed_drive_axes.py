@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Joint, Plugin, Rule, Severity
-from sdfcheck_rules.geo.scaffolds import rover
+from sdfcheck import Bad, ControlComponent, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
+from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 STEERED = "".join(
     f'<link name="{side}_knuckle"/><joint name="{side}_steer" type="revolute"><origin xyz="0.3 {y} 0"/>'
@@ -67,6 +67,11 @@ class OpposedDriveAxes(Rule):
             " turns both alike",
         ),
         Bad(
+            controlled(rover(axis="«0 -1 0»")),
+            files=controllers(),
+            says="are opposite, and controller `drive` turns both alike",
+        ),
+        Bad(
             steered(left="«0 0 -1»", right="0 0 -1"),
             says="the axis of `left_steer` points down: a command to turn left steers to the right",
         ),
@@ -93,14 +98,16 @@ class OpposedDriveAxes(Rule):
             assert steered is not None
             yield self.diagnostic(steered.axis.xyz, f"the axis of `{steered.name}` {down}")
             return
-        plugin, drive = part, part.drive
-        for joint in opposed(plugin)[:1]:
-            assert drive is not None
+        plugin = part
+        for drive, joint in opposed(plugin)[:1]:
             yield self.diagnostic(
                 joint.axis.xyz,
-                f"the axes of `{drive.left.joint.name}` and `{joint.name}` are opposite, and drive"
-                f" `{plugin.name}` turns both alike",
-                labels={drive.left.joint.axis.xyz: "the other axis", plugin: "this drive"},
+                f"the axes of `{drive.left.joint.name}` and `{joint.name}` are opposite, and {drive.title}"
+                " turns both alike",
+                labels={
+                    drive.left.joint.axis.xyz: "the other axis",
+                    plugin: f"this {drive.title.split()[0]}",
+                },
             )
         for joint in hanging(plugin)[:1]:
             message = f"the axis of `{joint.name}` {down}"
@@ -124,14 +131,11 @@ def hanging(plugin: Plugin) -> list[Joint]:
     return [each.joint for each in steering if each.axis[2] < -0.5]
 
 
-def opposed(plugin: Plugin) -> list[Joint]:
-    """The joints whose axes point to the other side than that of the first wheel on the left."""
-    drive = plugin.drive
-    if drive is None:
-        return []
-    along = drive.left.axis
+def opposed(plugin: Plugin) -> list[tuple[Drive, Joint]]:
+    """The joints whose axes point to the other side than that of the first wheel on the left, with their drive."""
     return [
-        wheel.joint
+        (drive, wheel.joint)
+        for drive in plugin.drives
         for wheel in drive.wheels
-        if sum(one * other for one, other in zip(along, wheel.axis, strict=True)) < -0.5
+        if sum(one * other for one, other in zip(drive.left.axis, wheel.axis, strict=True)) < -0.5
     ]

@@ -79,3 +79,27 @@ def car(*, base: str) -> str:
         f"{names}<wheelbase>{base}</wheelbase><wheel_separation>0.4</wheel_separation></plugin>"
     )
     return f'<robot name="r"><link name="base"/>{wheels}<gazebo>{plugin}</gazebo></robot>'
+
+
+def controlled(robot: str, mark: str = "parameters") -> str:
+    """A robot whose drive is a controller of ros2_control, as ``controllers`` writes it, instead of a plugin."""
+    head, _, _ = robot.partition("<gazebo>")
+    joints = "".join(
+        f'<joint name="{side}_joint"><command_interface name="velocity"/><state_interface name="position"/></joint>'
+        for side in ("left", "right")
+    )
+    return (
+        f'{head}<ros2_control name="c" type="system"><hardware><plugin>gz_ros2_control/GazeboSimSystem</plugin>'
+        f"</hardware>{joints}</ros2_control><gazebo>"
+        f'<plugin filename="gz_ros2_control-system" '
+        f'name="gz_ros2_control::GazeboSimROS2ControlPlugin"><{mark}>c.yaml</parameters></plugin></gazebo></robot>'
+    )
+
+
+def controllers(*, left: str = "left", right: str = "right", **parameters: str) -> dict[str, str]:
+    """The file of a controller for a robot with two wheels."""
+    given = "".join(f", {name}: {value}" for name, value in parameters.items())
+    return {
+        "c.yaml": "drive: {ros__parameters: {type: diff_drive_controller/DiffDriveController, "
+        f"left_wheel_names: [{left}_joint], right_wheel_names: [{right}_joint]{given}}}}}\n"
+    }

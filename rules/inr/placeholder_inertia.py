@@ -4,6 +4,10 @@ from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_far_off, is_first, is_too_large, is_unit, most, others, ratio
 from sdfcheck_rules.inr.ratios import times
 
+ARM = (
+    '<link name="arm"><inertial><mass>1</mass></inertial></link><joint name="j" type="ball">'
+    "<parent>arm</parent><child>base</child></joint>"
+)
 UNIT = (
     '<inertial><mass value="0.1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
     '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
@@ -11,11 +15,12 @@ UNIT = (
 
 
 class PlaceholderInertia(Rule):
-    """A link has the unit inertia, which cannot be that of its body.
+    """A link has the unit inertia, or that of a cube of one meter, which cannot be that of its body.
 
     Moments of 1 kg·m² are what exporters write and consumers take when nobody gave any. For a
     link of this mass and size they are off by more than a hundredfold, or larger than those of any body
-    within its shapes: it will hardly turn.
+    within its shapes: it will hardly turn. A sixth of the mass about each axis is a cube of one meter, with which the
+    editor of Gazebo Classic begins: for a link of half that length it is four times too much, and more.
     """
 
     code = "INR005"
@@ -53,12 +58,23 @@ class PlaceholderInertia(Rule):
             scaffold="",
             says="; the same holds for 1 more link with these moments",
         ),
+        Bad(
+            "<inertial><mass>1.5</mass><«inertia»><ixx>0.25</ixx><iyy>0.25</iyy><izz>0.25</izz></inertia></inertial>"
+            '<collision name="c"><geometry><box><size>0.3 0.3 0.1</size></box></geometry></collision>',
+            scaffold=IN_LINK.replace("</link>", f"</link>{ARM}"),
+            says="the moments are those of a cube of 1 m, 20 times what 1.5 kg in this link's shapes have",
+        ),
     )
     good = (
         Good(
             "<inertial><mass>6</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
             '<collision name="c"><geometry><box><size>1 1 1</size></box></geometry></collision>',
             why="right for this box",
+        ),
+        Good(
+            "<inertial><mass>6</mass><inertia><ixx>1.01</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>"
+            '<collision name="c"><geometry><box><size>0.3 0.3 0.1</size></box></geometry></collision>',
+            why="only near it",
         ),
     )
 
@@ -74,13 +90,33 @@ class PlaceholderInertia(Rule):
             least, axis = min(zip(most(inertial), "xyz", strict=True))
             shapes = f"{mass:.6g} kg within this link's shapes"
             message = f"{how} is too large: {shapes} have {least:.2g} kg·m² about {axis} at most"
+        if is_cube(inertial):
+            shapes = f"{times(ratio(inertial))} what {mass:.6g} kg in this link's shapes have"
+            message = f"the moments are those of a cube of 1 m, {shapes}"
         more, labels = others(inertial, is_placeholder)
         yield self.diagnostic(
             inertial.moments_element, message + more, labels={inertial.link: "this link", **labels}
         )
 
 
+CUBE = 4.0
+"""Times: a cube of half a meter has a quarter of the moments."""
+
+
+def is_cube(inertial: Inertial) -> bool:
+    """Are the moments those of a cube of one meter, and the shapes of this link of a robot far smaller?"""
+    if inertial.link.holder is None or inertial.link.holder.kind != "model" or not inertial.link.model.joints:
+        return False
+    sixth = inertial.mass.number / 6
+    xx, yy, zz, *products = inertial.tensor
+    if not sixth > 0 or any(products) or not xx == yy == zz or abs(xx - sixth) > 5e-5 * sixth:
+        return False
+    return ratio(inertial) >= CUBE and not is_far_off(inertial)
+
+
 def is_placeholder(inertial: Inertial) -> bool:
+    if is_cube(inertial):
+        return True
     if is_far_off(inertial):
         return is_unit(inertial)
     return inertial.mass.number != 1 and is_unit(inertial) and is_too_large(inertial)

@@ -4,6 +4,12 @@ from sdfcheck import Bad, Diagnostic, Element, Good, Ros2Control, Rule, Severity
 from sdfcheck_rules.r2c.scaffold import IN_BLOCK, IN_LIFT, IN_ROBOT
 
 PARAMETERS = ("initial_value", "max", "min")
+GENERIC = (
+    "mock_components/GenericSystem",
+    "gz_ros2_control/GazeboSimSystem",
+    "ign_ros2_control/IgnitionSystem",
+    "gazebo_ros2_control/GazeboSystem",
+)
 INITIAL = frozenset({"initial_effort", "initial_position", "initial_velocity"})
 """Read by some hardware of older releases."""
 
@@ -14,7 +20,8 @@ class IgnoredControlElement(Rule):
     The parser takes the elements that it knows and ignores all others in silence, so that a misspelled
     interface is not there and a misspelled reduction stays at 1. So it is with attributes that it does not know, such
     as a parameter whose value is an attribute, and with a parameter of an interface that is nearly `min`, `max` or
-    `initial_value`. Of two plugins in one `hardware` it takes the first.
+    `initial_value`. The hardware of Gazebo and mock hardware read `initial_value` of interfaces alone. Of two plugins
+    in one `hardware` it takes the first.
     """
 
     code = "R2C006"
@@ -64,6 +71,10 @@ class IgnoredControlElement(Rule):
             says="nothing reads `initial_position` of interface `position`; did you mean `initial_value`?",
         ),
         Bad(
+            '<state_interface name="position"/><param name="«initial_value»">1</param>',
+            says="nothing reads `initial_value` of joint `lift` beside its interfaces",
+        ),
+        Bad(
             '<ros2_control name="arm" type="system"><hardware><plugin>a/B</plugin><«plugin»>c/D</plugin></hardware>'
             '<joint name="lift"/></ros2_control>',
             scaffold=IN_ROBOT,
@@ -108,7 +119,11 @@ class IgnoredControlElement(Rule):
             yield self.diagnostic(value.name_span, message, help=advice)
         for value in unread_parameters(block):
             interface = value.element.parent
-            if value.attribute == "value" or interface is None:
+            if interface is not None and interface.name == "joint":
+                where = f"joint `{interface.attributes.get('name', '')}` beside its interfaces"
+                advice = "write it between `<state_interface …>` and `</state_interface>`"
+                yield self.diagnostic(value, f"nothing reads `{value.text}` of {where}", help=advice)
+            elif value.attribute == "value" or interface is None:
                 message = "ros2_control takes the text of `param`, and not its `value`"
                 advice = "write the value between `<param>` and `</param>`"
                 yield self.diagnostic(value.name_span, message, help=advice)
@@ -139,6 +154,12 @@ def unread_attributes(block: Ros2Control) -> Iterator[Value]:
                 yield value
 
 
+def is_generic(block: Ros2Control) -> bool:
+    """Is its hardware simulated or mock, which reads no parameters of its own?"""
+    plugin = block.plugin_value
+    return plugin is not None and plugin.text.strip() in GENERIC
+
+
 def unread_parameters(block: Ros2Control) -> Iterator[Value]:
     """The values of parameters that are attributes, and the names in interfaces that are nearly known ones."""
     for element, _ in block.known:
@@ -147,7 +168,11 @@ def unread_parameters(block: Ros2Control) -> Iterator[Value]:
         value, name, holder = element.attribute("value"), element.attribute("name"), element.parent
         if value is not None and not element.content:
             yield value
-        elif name is None or holder is None or not holder.name.endswith("_interface"):
+        elif name is None or holder is None:
+            continue
+        elif holder.name == "joint" and name.text == "initial_value" and is_generic(block):
+            yield name
+        elif not holder.name.endswith("_interface"):
             continue
         elif name.text not in PARAMETERS and meant(name.text) is not None:
             yield name

@@ -14,6 +14,14 @@ PARAMETERS = "joints: [lift], command_interfaces: [position], state_interfaces: 
 FILE = {
     "controllers.yaml": f"arm: {{ros__parameters: {{type: {TRAJECTORY}, {PARAMETERS.format('position, velocity')}}}}}\n"
 }
+DRIVE = {
+    "controllers.yaml": "drive: {ros__parameters: {type: diff_drive_controller/DiffDriveController, "
+    "left_wheel_names: [lift], right_wheel_names: [lift]}}\n"
+}
+STATES = {
+    "controllers.yaml": "controller_manager: {ros__parameters: {states: {type: "
+    "joint_state_broadcaster/JointStateBroadcaster}}}\n"
+}
 TWO = {
     "controllers.yaml": FILE["controllers.yaml"]
     + f"slow: {{ros__parameters: {{type: {TRAJECTORY}, {PARAMETERS.format('position')}}}}}\n"
@@ -24,8 +32,9 @@ class UnmeasuredJoint(Rule):
     """A controller reads a state that its joint does not have.
 
     A controller of trajectories claims all states that its parameters name. Where one is missing, the controller
-    manager says that the state interface does not exist and does not activate the controller. Looked at are the files
-    that the simulator's plugin names.
+    manager says that the state interface does not exist and does not activate the controller. A differential drive
+    claims the positions of its wheels, or their velocities if `position_feedback` is false, and the broadcaster of
+    joint states at least one state. Looked at are the files that the simulator's plugin names.
     """
 
     code = "R2C040"
@@ -45,6 +54,16 @@ class UnmeasuredJoint(Rule):
             files=FILE,
             says="joint `lift` has no state `velocity`, which controller `arm` reads",
         ),
+        Bad(
+            BLOCK.format("«lift»", "").replace('_interface name="position"', '_interface name="velocity"'),
+            files=DRIVE,
+            says="joint `lift` has no state `position`, which controller `drive` reads",
+        ),
+        Bad(
+            BLOCK.format("«lift»", "").replace('<state_interface name="position"/>', ""),
+            files=STATES,
+            says="no joint has a state, so that controller `states` has nothing to publish",
+        ),
     )
     good = (
         Good(BLOCK.format("lift", '<state_interface name="velocity"/>'), files=FILE),
@@ -57,12 +76,21 @@ class UnmeasuredJoint(Rule):
 
     def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
         controller, interface = unmeasured(component)
-        message = f"{component.title} has no state `{interface}`, which controller `{controller}` reads"
+        message = f"no joint has a state, so that controller `{controller}` has nothing to publish"
+        if interface:
+            message = f"{component.title} has no state `{interface}`, which controller `{controller}` reads"
         yield self.diagnostic(component.name_value or component, message)
 
 
 def unmeasured(component: ControlComponent) -> tuple[str, ...]:
-    """A controller and the state that it does not find, where all controllers that read states lack one."""
+    """A controller and the state that it does not find, where all controllers that read states lack one.
+
+    Without a state the controller publishes all that it finds, which is nothing.
+    """
+    if (idle := component.model.idle_broadcaster) and component is component.block.model.ros2_control[
+        0
+    ].components[0]:
+        return (idle, "")
     own = {each.name for each in component.interfaces if not each.is_command}
     reads = [claim for claim in component.claims if not claim.is_command]
     lacking = {claim.controller: claim.interface for claim in reversed(reads) if claim.interface not in own}

@@ -33,7 +33,8 @@ class UnknownUrdfElement(Rule):
     All of them ignore it in silence, with everything in it, so that a misspelling of a
     name costs the robot a mass, a limit or a shape in silence. Elements
     with a prefix are free, and so is what is inside `gazebo`, `transmission` and
-    `ros2_control`. Where the misspelling leaves something out that is required, this is an error.
+    `ros2_control`. Of its own language MuJoCo reads `compiler`, `option` and `size` in URDF, and
+    no `worldbody`. Where the misspelling leaves something out that is required, this is an error.
     """
 
     code = "URD001"
@@ -60,6 +61,11 @@ class UnknownUrdfElement(Rule):
             fixed="<visual><geometry/></visual>",
             unsafe=True,
             says="did you mean `geometry`?",
+        ),
+        Bad(
+            '<robot name="r"><mujoco><compiler/><«worldbody»/></mujoco><link name="a"/></robot>',
+            scaffold="{}",
+            says="unknown element `worldbody` in `mujoco`",
         ),
         Bad('<«mass» value="1"/>', says="`mass` is not read in link `base`; it goes into `inertial`"),
         Bad(

@@ -1,13 +1,15 @@
-"""Joints and sensors that controllers of ros2_control ask for, by the file of parameters that a plugin of Gazebo names.
+"""Parameters of controllers of ros2_control and of MoveIt: joints and sensors that they ask for, wheels, limits.
 
-Source: the parameters that ros2_controllers declare, humble to rolling. Of a parameter file nothing is made but texts
-with their places; substitutions in it are not known.
+They are in the file that a plugin of Gazebo names, or in those of MoveIt beside an SRDF file. Source: the parameters
+that ros2_controllers and moveit2 declare, humble to rolling. Of such a file nothing is made but texts with their
+places; substitutions in it are not known.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -40,35 +42,83 @@ class Kind(NamedTuple):
     sensor: str = ""
     steered: tuple[str, ...] = ()
     """Parameters that name joints which steer, to the left by positive angles."""
+    types: str = ""
+    """Its parameters that have a type: that, then the patterns of their names, one after the other."""
 
 
 _GROUP = ("joints",)
-_CAR = Kind(("traction_joints_names",), command="velocity", steered=("steering_joints_names",))
+_LIMITS = "{0}.m??_velocity {0}.m??_acceleration* {0}.m??_deceleration* {0}.m??_jerk"
+_ODOMETRY = (
+    "text: odom_frame_id base_frame_id bool: open_loop position_feedback enable_odom_tf use_stamped_vel "
+    "integer: velocity_rolling_window_size numbers: pose_covariance_diagonal twist_covariance_diagonal "
+)
+_FINGER = (
+    "text: joint bool: allow_stalling "
+    "number: action_monitor_rate goal_tolerance max_effort stall_velocity_threshold stall_timeout"
+)
+_TRAJECTORY = (
+    "list: joints command_joints command_interfaces state_interfaces bool: allow_partial_joints_goal open_loop_control "
+    "number: state_publish_rate action_monitor_rate cmd_timeout constraints.stopped_velocity_tolerance "
+    "constraints.goal_time constraints.*.trajectory constraints.*.goal "
+    "gains.*.p gains.*.i gains.*.d gains.*.i_clamp gains.*.ff_velocity_scale"
+)
+_DRIVE = Kind(
+    ("left_wheel_names", "right_wheel_names"),
+    command="velocity",
+    types=f"{_ODOMETRY} list: left_wheel_names right_wheel_names number: wheel_separation wheel_radius *_multiplier "
+    f"cmd_vel_timeout publish_rate {_LIMITS.format('linear.x')} {_LIMITS.format('angular.z')}",
+)
+_CAR = Kind(
+    ("traction_joints_names",),
+    command="velocity",
+    steered=("steering_joints_names",),
+    types=f"{_ODOMETRY} list: *_names number: reference_timeout wheelbase *wheel_track *_track_width *wheels_radius",
+)
+_JOINTS = Kind(_GROUP, types="list: joints")
+_SENSOR = Kind(sensor="sensor_name", types="text: sensor_name frame_id")
+_BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 _KINDS: Mapping[str, Kind] = {
     "joint_trajectory_controller/JointTrajectoryController": Kind(
-        _GROUP, "command_interfaces", "state_interfaces"
+        _GROUP, "command_interfaces", "state_interfaces", types=_TRAJECTORY
     ),
-    "forward_command_controller/ForwardCommandController": Kind(_GROUP, "interface_name"),
-    "position_controllers/JointGroupPositionController": Kind(_GROUP, command="position"),
-    "velocity_controllers/JointGroupVelocityController": Kind(_GROUP, command="velocity"),
-    "effort_controllers/JointGroupEffortController": Kind(_GROUP, command="effort"),
-    "diff_drive_controller/DiffDriveController": Kind(
-        ("left_wheel_names", "right_wheel_names"), command="velocity"
+    "forward_command_controller/ForwardCommandController": Kind(
+        _GROUP, "interface_name", types="list: joints text: interface_name"
     ),
+    "position_controllers/JointGroupPositionController": _JOINTS._replace(command="position"),
+    "velocity_controllers/JointGroupVelocityController": _JOINTS._replace(command="velocity"),
+    "effort_controllers/JointGroupEffortController": _JOINTS._replace(command="effort"),
+    "diff_drive_controller/DiffDriveController": _DRIVE,
     "ackermann_steering_controller/AckermannSteeringController": _CAR,
     "bicycle_steering_controller/BicycleSteeringController": _CAR,
     "tricycle_steering_controller/TricycleSteeringController": _CAR,
     "tricycle_controller/TricycleController": Kind(
-        ("traction_joint_name",), command="velocity", steered=("steering_joint_name",)
+        ("traction_joint_name",),
+        command="velocity",
+        steered=("steering_joint_name",),
+        types=f"{_ODOMETRY} text: *_joint_name integer: cmd_vel_timeout number: wheelbase wheel_radius",
     ),
-    "position_controllers/GripperActionController": Kind(("joint",), command="position"),
-    "effort_controllers/GripperActionController": Kind(("joint",), command="effort"),
-    "parallel_gripper_action_controller/GripperActionController": Kind(("joint",), command="position"),
-    "imu_sensor_broadcaster/IMUSensorBroadcaster": Kind(sensor="sensor_name"),
-    "force_torque_sensor_broadcaster/ForceTorqueStateBroadcaster": Kind(sensor="sensor_name"),
+    "position_controllers/GripperActionController": Kind(("joint",), command="position", types=_FINGER),
+    "effort_controllers/GripperActionController": Kind(("joint",), command="effort", types=_FINGER),
+    "parallel_gripper_action_controller/GripperActionController": Kind(
+        ("joint",), command="position", types=f"{_FINGER} max_velocity"
+    ),
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": _SENSOR,
+    "force_torque_sensor_broadcaster/ForceTorqueStateBroadcaster": _SENSOR,
+    _BROADCASTER: Kind(types="list: joints interfaces bool: use_local_topics"),
 }
 _OWN_JOINTS = "command_joints"
 """The parameter that names the joints of the hardware where they are called otherwise than those of a trajectory."""
+_COUNTS = {"Ackermann": (2, 2), "Tricycle": (2, 1), "Bicycle": (1, 1)}
+"""The joints that drive and those that steer."""
+_CORRECTED: Mapping[str, tuple[str, ...]] = {
+    "wheel_separation": ("wheel_separation_multiplier",),
+    "wheel_radius": (
+        "left_wheel_radius_multiplier",
+        "right_wheel_radius_multiplier",
+        "wheel_radius_multiplier",
+    ),
+}
+"""A measure of a drive → the factors by which it is corrected."""
 _ENDS = ("rear_wheels_names", "front_wheels_names")
 """The former names of the parameters of cars: the wheels that drive and those that steer, or the other way about."""
 
@@ -86,31 +136,135 @@ class ControllerNeed(NamedTuple):
     """Does the controller steer the robot by the joint, to the left by positive angles?"""
 
 
-def needs_of(document: Document, address: str) -> tuple[ControllerNeed, ...]:
-    """The needs of the controllers in a file of parameters; none where the file cannot be read as one."""
+class Parameter(NamedTuple):
+    """A parameter in a file of them, read as the element of a plugin that says the same."""
+
+    name: str
+    content: str
+    span: Span
+
+    @property
+    def own_value(self) -> Parameter:
+        """Itself: its place is that of its value."""
+        return self
+
+    @property
+    def number(self) -> float:
+        """The text as a number; nan if it is not a number."""
+        try:
+            return float(self.content)
+        except ValueError:
+            return float("nan")
+
+
+class WrittenDrive(NamedTuple):
+    """The wheels of a differential drive in a file of parameters."""
+
+    controller: str
+    lefts: tuple[Parameter, ...]
+    rights: tuple[Parameter, ...]
+    separation: Parameter | None
+    radius: Parameter | None
+
+
+class Mistyped(NamedTuple):
+    """A parameter whose value is of another type than the one that is ``asked`` for, and how many more there are."""
+
+    owner: str
+    parameter: Parameter
+    asked: str
+    more: int = 0
+
+
+class Unreached(NamedTuple):
+    """A controller without parameters, or the controller manager itself.
+
+    Their place is that of those that were probably meant; ``stray`` is the name under which they are, if not beside the
+    type of the controller.
+    """
+
+    controller: str
+    stray: str
+    span: Span
+
+
+class Miscounted(NamedTuple):
+    """A drive with another number of joints than it takes: what it names, and how many it takes; with a place."""
+
+    controller: str
+    found: str
+    asked: str
+    span: Span
+
+
+class ControllerFile(NamedTuple):
+    """The controllers of a file of parameters, as far as they are known."""
+
+    needs: tuple[ControllerNeed, ...] = ()
+    drives: tuple[WrittenDrive, ...] = ()
+    frames: tuple[Parameter, ...] = ()
+    """The links that controllers carry about in tf."""
+    broadcaster: str = ""
+    """The controller that publishes the states of all joints."""
+    mistyped: tuple[Mistyped, ...] = ()
+    unreached: tuple[Unreached, ...] = ()
+    miscounted: tuple[Miscounted, ...] = ()
+    manager: Parameter | None = None
+    """The name of the controller manager's parameters, if they are for one without a namespace."""
+
+
+_NOTHING = ControllerFile()
+
+
+def controllers_in(document: Document, address: str) -> ControllerFile:
+    """The controllers of a file that a description names; none where it cannot be read as one of parameters."""
     library = library_of(document)
     if library is None or not address.endswith((".yaml", ".yml")) or "$" in address:
-        return ()
+        return _NOTHING
     from sdfcheck.files.uris import locate
 
     path = locate(document, address).path
     if path is None:
-        return ()
+        return _NOTHING
     try:
         text = library.read(path, document, _LARGEST).decode("utf-8-sig")
     except (OSError, UnicodeDecodeError):
-        return ()
-    return tuple(islice(_needs(Source(Path(path), text, is_foreign=True)), _MOST))
+        return _NOTHING
+    return _controllers(Source(Path(path), text, is_foreign=True))
 
 
-def _needs(source: Source) -> Iterator[ControllerNeed]:
-    nodes = dict(_nodes(composed(source.text), "", 0, set()))
-    types = {name: _texts(_get(entry, "type")) for name, entry in pairs(nodes.get(_MANAGER))}
-    for name, parameters in nodes.items():
-        declared = types.get(name) or _texts(_get(parameters, "type"))
-        kind = _KINDS.get(declared[0].value) if declared else None
-        if kind is not None:
-            yield from _of_controller(source, name, kind, parameters)
+def _controllers(source: Source) -> ControllerFile:
+    paths = dict(_nodes(composed(source.text), "", 0, set()))
+    nodes = {path.rpartition("/")[2]: parameters for path, (_, parameters) in paths.items()}
+    found = [(name, node) for name, node in pairs(nodes.get(_MANAGER)) if node.id == "mapping"]
+    types = {name: _texts(_get(entry, "type")) for name, entry in found}
+    declared = {
+        name: types.get(name) or _texts(_get(parameters, "type")) for name, parameters in nodes.items()
+    }
+    known = [(name, kind, nodes[name]) for name in nodes if (kind := _kind(declared[name])) is not None]
+    needs = (
+        need for name, kind, parameters in known for need in _of_controller(source, name, kind, parameters)
+    )
+    key = paths.get(_MANAGER)
+    is_alone = key is not None and "**" not in paths and not any("/" in path for path in paths)
+    return ControllerFile(
+        tuple(islice(needs, _MOST)),
+        tuple(filter(None, (_drive(source, name, each) for name, kind, each in known if kind is _DRIVE))),
+        tuple(filter(None, (_carried(source, name, kind, each) for name, kind, each in known))),
+        next((name for name, declared in types.items() if _is_broadcaster(declared)), ""),
+        tuple(_mistyped(source, [(_MANAGER, _FOR_MANAGER, nodes.get(_MANAGER)), *known])),
+        () if "**" in nodes else tuple(_unreached(source, paths, nodes, found)),
+        tuple(each for name in nodes for each in _miscounted(source, name, declared[name], nodes[name])),
+        Parameter("name", _MANAGER, span_of(source, key[0])) if key is not None and is_alone else None,
+    )
+
+
+def _kind(declared: Sequence[Any]) -> Kind | None:
+    return _KINDS.get(declared[0].value) if declared else None
+
+
+def _is_broadcaster(declared: Sequence[Any]) -> bool:
+    return bool(declared) and declared[0].value == _BROADCASTER
 
 
 def _of_controller(source: Source, name: str, kind: Kind, parameters: Any) -> Iterator[ControllerNeed]:
@@ -119,6 +273,8 @@ def _of_controller(source: Source, name: str, kind: Kind, parameters: Any) -> It
         yield ControllerNeed(name, "sensor", scalar.value, span_of(source, scalar))
     commands = [scalar.value for scalar in _texts(_get(parameters, kind.commands))] if kind.commands else []
     states = [scalar.value for scalar in _texts(_get(parameters, kind.states))] if kind.states else []
+    if kind is _DRIVE and not _is(parameters, "open_loop", "true"):
+        states = ["velocity" if _is(parameters, "position_feedback", "false") else "position"]
     wanted = [(each, True) for each in (*commands, kind.command) if each] + [(each, False) for each in states]
     driven, steered = _joints(kind, parameters)
     for scalar in driven:
@@ -143,9 +299,271 @@ def _joints(kind: Kind, parameters: Any) -> tuple[list[Any], list[Any]]:
     driven = [scalar for each in kind.joints for scalar in _texts(_get(parameters, each))]
     steered = [scalar for each in kind.steered for scalar in _texts(_get(parameters, each))]
     if kind is _CAR and not driven and not steered:
-        is_front = [scalar.value for scalar in _texts(_get(parameters, "front_steering"))] != ["false"]
+        is_front = not _is(parameters, "front_steering", "false")
         driven, steered = (_texts(_get(parameters, each)) for each in (_ENDS if is_front else _ENDS[::-1]))
     return driven, steered
+
+
+def _drive(source: Source, name: str, parameters: Any) -> WrittenDrive | None:
+    """The wheels of a drive; what a factor corrects is not known."""
+    sides = [_written(source, parameters, each) for each in _DRIVE.joints]
+    if not sides[0] or len(sides[0]) != len(sides[1]):
+        return None
+    separation, radius = (
+        next(iter(_written(source, parameters, each)), None) if _is_plain(parameters, factors) else None
+        for each, factors in _CORRECTED.items()
+    )
+    return WrittenDrive(name, sides[0], sides[1], separation, radius)
+
+
+def _is_plain(parameters: Any, factors: Sequence[str]) -> bool:
+    return all(
+        not (found := _texts(_get(parameters, each))) or found[0].value in {"1", "1.0"} for each in factors
+    )
+
+
+def _written(source: Source, parameters: Any, name: str) -> tuple[Parameter, ...]:
+    return tuple(
+        Parameter(name, each.value, span_of(source, each)) for each in _texts(_get(parameters, name))
+    )
+
+
+def _carried(source: Source, name: str, kind: Kind, parameters: Any) -> Parameter | None:
+    """The link that a drive carries about in tf, as it is written."""
+    if _ODOMETRY not in kind.types or _is(parameters, "enable_odom_tf", "false"):
+        return None
+    given = _written(source, parameters, "base_frame_id")
+    return given[0]._replace(name=name) if given else None
+
+
+def _miscounted(source: Source, name: str, declared: Sequence[Any], parameters: Any) -> Iterator[Miscounted]:
+    """The joints of a drive, where they are not as many as it takes."""
+    kind = _kind(declared)
+    if any(_UNKNOWN.search(each.value) for _, node in _flat(parameters, "", 0) for each in _scalars(node)):
+        return
+    if kind is _DRIVE:
+        lefts, rights = (_written(source, parameters, each) for each in _DRIVE.joints)
+        if lefts and rights and len(lefts) != len(rights):
+            yield Miscounted(
+                name, f"{len(lefts)} left and {len(rights)} right", "as many of each", lefts[0].span
+            )
+    elif kind is _CAR:
+        asked = next(count for word, count in _COUNTS.items() if word in declared[0].value)
+        driven, steered = _joints(kind, parameters)
+        if driven and steered and (len(driven), len(steered)) != asked:
+            found = f"{len(driven)} driven and {len(steered)} steered"
+            yield Miscounted(name, found, "{} and {}".format(*asked), span_of(source, driven[0]))
+
+
+def _unreached(
+    source: Source, paths: Mapping[str, Any], nodes: Mapping[str, Any], declared: Sequence[tuple[str, Any]]
+) -> Iterator[Unreached]:
+    """The controllers that need parameters and have none, while the same file has some that nothing reads."""
+    names = {name for name, _ in declared}
+    strays = [
+        (path, key) for path, (key, _) in paths.items() if path.rpartition("/")[2] not in {*names, _MANAGER}
+    ]
+    for name, entry in declared:
+        kind = _kind(_texts(_get(entry, "type")))
+        if kind is None or not kind.joints or name in nodes:
+            continue
+        inner = next((each for each in kind.joints if _get(entry, each) is not None), None)
+        fitting = [(path, key) for path, key in strays if any(_joints(kind, paths[path][1]))]
+        if inner is not None:
+            yield Unreached(name, "", span_of(source, next(k for k, _ in entry.value if k.value == inner)))
+        elif len(fitting) == 1:
+            yield Unreached(name, fitting[0][0], span_of(source, fitting[0][1]))
+
+
+# The types of parameters, as ROS 2 tells them apart: a number has a point, and takes no whole number in its place.
+
+_INTEGER = re.compile(r"[-+]?(0x[0-9a-fA-F]+|[0-9]+)")
+_BOOLS = frozenset(
+    "y Y yes Yes YES true True TRUE on On ON n N no No NO false False FALSE off Off OFF".split()
+)
+_FOR_MANAGER = Kind(types="integer: update_rate")
+
+
+def _mistyped(source: Source, owners: Iterable[tuple[str, Kind, Any]]) -> Iterator[Mistyped]:
+    """The parameters of another type than the one that is declared: for each owner and type the first."""
+    for owner, kind, parameters in owners:
+        found: dict[str, Mistyped] = {}
+        declared = _declared(kind)
+        for name, node in _flat(parameters, "", 0):
+            asked = next((each for each, pattern in declared if fnmatchcase(name, pattern)), "")
+            if asked and not _fits(node, asked):
+                shown = Parameter(name, _shown(node), span_of(source, node))
+                first = found.setdefault(asked, Mistyped(owner, shown, asked, -1))
+                found[asked] = first._replace(more=first.more + 1)
+        yield from found.values()
+
+
+def _declared(kind: Kind) -> list[tuple[str, str]]:
+    """The types and the patterns of the names that have them."""
+    found, asked = [], ""
+    for word in kind.types.split():
+        if word.endswith(":"):
+            asked = word[:-1]
+        else:
+            found.append((asked, word))
+    return found
+
+
+def _fits(node: Any, asked: str) -> bool:
+    """Is a value of a type, as far as that is known?"""
+    if asked == "numbers" and node.id == "sequence":
+        return {_type(each) for each in node.value} != {"integer"}
+    return _type(node) in {"", "list" if asked == "numbers" else asked}
+
+
+def _type(node: Any) -> str:
+    """The type of a value; empty where it is made later."""
+    if node.id != "scalar":
+        return "list" if node.id == "sequence" else ""
+    text = node.value
+    if _UNKNOWN.search(text) or node.tag.endswith((":null", ":timestamp")):
+        return ""
+    if node.style is not None:
+        return "text"
+    if text in _BOOLS:
+        return "bool"
+    if _INTEGER.fullmatch(text):
+        return "integer"
+    try:
+        float(text.lower().replace(".inf", "inf").replace(".nan", "nan"))
+    except ValueError:
+        return "text"
+    return "number"
+
+
+def _shown(node: Any) -> str:
+    return (
+        str(node.value)
+        if node.id == "scalar"
+        else f"[{', '.join(each.value for each in node.value if each.id == 'scalar')}]"
+    )
+
+
+def _flat(node: Any, name: str, depth: int) -> Iterator[tuple[str, Any]]:
+    """The values in a mapping, by the names of those around them, with points between."""
+    for key, value in pairs(node):
+        inner = f"{name}.{key}" if name else key
+        if value.id == "mapping" and depth < _DEEPEST:
+            yield from _flat(value, inner, depth + 1)
+        elif value.id != "mapping":
+            yield inner, value
+
+
+# The files of MoveIt beside an SRDF file.
+
+LIMITS, SOLVERS, SENT, STARTED, PLANNERS = MOVEIT_FILES = (
+    "joint_limits.yaml",
+    "kinematics.yaml",
+    "moveit_controllers.yaml",
+    "ros2_controllers.yaml",
+    "ompl_planning.yaml",
+)
+_ADAPTERS = {"humble": "default_planner_request_adapters", "jazzy": "response_adapters"}
+_SENDER = "moveit_simple_controller_manager"
+_SWITCHED = ("velocity", "acceleration", "jerk")
+_JOINT_LIMITS = Kind(types="bool: has_*_limits number: m??_velocity m??_acceleration m??_jerk m??_position")
+
+
+class SentController(NamedTuple):
+    """A controller to which MoveIt sends trajectories, and the joints that it has for it."""
+
+    name: Parameter
+    joints: tuple[Parameter, ...]
+
+    @property
+    def own_name(self) -> str:
+        """Its name without that of its namespace."""
+        return self.name.content.rpartition("/")[2]
+
+
+class MoveItFiles(NamedTuple):
+    """The content of the files of parameters of MoveIt."""
+
+    limits: tuple[Parameter, ...] = ()
+    """The joints with limits; the content is ``accelerated`` for those that have one of their acceleration."""
+    solvers: tuple[Parameter, ...] = ()
+    """The groups that have a solver."""
+    sent: tuple[SentController, ...] = ()
+    started: tuple[tuple[str, frozenset[str]], ...] = ()
+    """The controllers of trajectories that the controller manager starts, each with its joints."""
+    mistyped: tuple[Mistyped, ...] = ()
+    release: str = ""
+    """For which releases its pipeline of planners is written: before ``jazzy``, or from then on; empty if not known."""
+
+    def started_instead(self, sent: SentController) -> str:
+        """The controller that is started for the joints of one that is not started, and to which nothing is sent."""
+        joints = {each.content for each in sent.joints}
+        known = {each.own_name for each in self.sent}
+        if sent.own_name in dict(self.started):
+            return ""
+        return next((name for name, own in self.started if own == joints and name not in known), "")
+
+
+def moveit_files(texts: Mapping[str, Source]) -> MoveItFiles:
+    """The content of files by their names, some of which may be missing."""
+    nodes = {name: composed(source.text) for name, source in texts.items()}
+    limits, solvers, sent = (nodes.get(name) for name in (LIMITS, SOLVERS, SENT))
+    started = _controllers(texts[STARTED]) if STARTED in texts else _NOTHING
+    joints: dict[str, set[str]] = {}
+    for need in started.needs:
+        if need.what == "joint":
+            joints.setdefault(need.controller, set()).add(need.name)
+    return MoveItFiles(
+        tuple(_limited(texts[LIMITS], limits)) if limits is not None else (),
+        tuple(_solved(texts[SOLVERS], solvers)) if solvers is not None else (),
+        tuple(_sent(texts[SENT], sent)) if sent is not None else (),
+        tuple((name, frozenset(found)) for name, found in joints.items()),
+        _first(list(_mistyped(texts[LIMITS], _read_limits(limits)))) if limits is not None else (),
+        next(
+            (
+                since
+                for since, word in _ADAPTERS.items()
+                if PLANNERS in texts and word in texts[PLANNERS].text
+            ),
+            "",
+        ),
+    )
+
+
+def _first(found: Sequence[Mistyped]) -> tuple[Mistyped, ...]:
+    """The first of several, and how many more there are."""
+    return tuple(each._replace(more=sum(other.more + 1 for other in found) - 1) for each in found[:1])
+
+
+def _limited(source: Source, node: Any) -> Iterator[Parameter]:
+    for key, limits in _keys(_get(node, "joint_limits")):
+        is_given = (
+            _is(limits, "has_acceleration_limits", "true") and _get(limits, "max_acceleration") is not None
+        )
+        yield Parameter(key.value, "accelerated" if is_given else "", span_of(source, key))
+
+
+def _read_limits(node: Any) -> Iterator[tuple[str, Kind, Any]]:
+    """The limits of joints that MoveIt reads: those that are switched on, and positions."""
+    for name, limits in pairs(_get(node, "joint_limits")):
+        off = tuple(f"_{kind}" for kind in _SWITCHED if not _is(limits, f"has_{kind}_limits", "true"))
+        types = (word for word in _JOINT_LIMITS.types.split() if not word.endswith(off))
+        yield name, Kind(types=" ".join(types)), limits
+
+
+def _solved(source: Source, node: Any) -> Iterator[Parameter]:
+    for key, parameters in _keys(node):
+        if _get(parameters, "kinematics_solver") is not None:
+            yield Parameter(key.value, key.value, span_of(source, key))
+
+
+def _sent(source: Source, node: Any) -> Iterator[SentController]:
+    sender = _get(node, _SENDER)
+    for name in _texts(_get(sender, "controller_names")):
+        entry = _get(sender, name.value)
+        if _is(entry, "type", "followjointtrajectory"):
+            parameter = Parameter("controller_names", name.value, span_of(source, name))
+            yield SentController(parameter, _written(source, entry, "joints"))
 
 
 # YAML as nodes: nothing in it is constructed.
@@ -161,34 +579,50 @@ def composed(text: str) -> Any:
         return None
 
 
-def _nodes(mapping: Any, name: str, depth: int, seen: set[int]) -> Iterator[tuple[str, Any]]:
-    """The names of nodes of ROS, each with its parameters; ``seen``: where an alias would lead again."""
-    for key, value in pairs(mapping):
-        if key == _PARAMETERS:
-            yield name.rpartition("/")[2], value
+def _nodes(
+    mapping: Any, name: str, depth: int, seen: set[int], place: Any = None
+) -> Iterator[tuple[str, Any]]:
+    """The names of nodes of ROS, each with its place and its parameters; ``seen``: where an alias would lead again."""
+    for key, value in _keys(mapping):
+        if key.value == _PARAMETERS and place is not None:
+            yield name.strip("/"), (place, value)
         elif depth < _DEEPEST and id(value) not in seen:
             seen.add(id(value))
-            yield from _nodes(value, key, depth + 1, seen)
+            yield from _nodes(value, f"{name}/{key.value.strip('/')}", depth + 1, seen, key)
+
+
+def _keys(mapping: Any) -> Iterator[tuple[Any, Any]]:
+    """The entries of a mapping whose keys are texts, with the places of these."""
+    if getattr(mapping, "id", "") == "mapping":
+        yield from ((key, value) for key, value in mapping.value if key.id == "scalar")
 
 
 def pairs(mapping: Any) -> Iterator[tuple[str, Any]]:
     """The entries of a mapping whose keys are texts."""
-    if getattr(mapping, "id", "") == "mapping":
-        yield from ((key.value, value) for key, value in mapping.value if key.id == "scalar")
+    return ((key.value, value) for key, value in _keys(mapping))
 
 
 def _get(mapping: Any, name: str) -> Any:
     return next((value for key, value in pairs(mapping) if key == name), None)
 
 
+def _is(mapping: Any, name: str, text: str) -> bool:
+    """Is a parameter written, and is it a word?"""
+    return [each.value.lower() for each in _texts(_get(mapping, name))] == [text]
+
+
 def _texts(node: Any) -> list[Any]:
     """The scalar that a node is, or those in its list, without what is made later."""
+    return [each for each in _scalars(node) if not _UNKNOWN.search(each.value)]
+
+
+def _scalars(node: Any) -> list[Any]:
     kind = getattr(node, "id", "")
     nodes = [node] if kind == "scalar" else node.value if kind == "sequence" else ()
-    return [each for each in nodes if each.id == "scalar" and not _UNKNOWN.search(each.value)]
+    return [each for each in nodes if each.id == "scalar"]
 
 
 def span_of(source: Source, scalar: Any) -> Span:
-    """The place of a text, without its quotes."""
-    quotes = 1 if scalar.style in {"'", '"'} else 0
+    """The place of a text, without its quotes, or of a list."""
+    quotes = 1 if getattr(scalar, "style", None) in {"'", '"'} else 0
     return Span(source, scalar.start_mark.index + quotes, scalar.end_mark.index - quotes)

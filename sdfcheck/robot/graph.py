@@ -61,7 +61,7 @@ if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.solid import Skin
     from sdfcheck.formats.plugins import Naming, PluginFacts
-    from sdfcheck.robot.controllers import ControllerNeed
+    from sdfcheck.robot.controllers import ControllerFile, ControllerNeed, Mistyped, Parameter, WrittenDrive
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Triple
@@ -1859,15 +1859,28 @@ class Plugin(Part):
         """Its parameters."""
         return self.children()
 
-    @lazy
-    def controller_needs(self) -> tuple[ControllerNeed, ...]:
-        """The joints and sensors that the controllers in its file of parameters ask for."""
-        value = next((each.own_value for each in self.children("parameters")), None)
-        if value is None or "$" in _FOUND.sub("", value.span.text):  # an argument gives another file
-            return ()
-        from sdfcheck.robot.controllers import needs_of
+    @property
+    def file_of_controllers(self) -> Element | None:
+        """The parameter that names the file of its controllers, the first; None without one."""
+        return next(self.children("parameters"), None)
 
-        return needs_of(self.document, value.text.strip())
+    @lazy
+    def controllers(self) -> ControllerFile:
+        """The controllers of its file of parameters."""
+        from sdfcheck.robot.controllers import ControllerFile, controllers_in
+
+        value = self.file_of_controllers.own_value if self.file_of_controllers is not None else None
+        if value is None or "$" in _FOUND.sub("", value.span.text):  # an argument gives another file
+            return ControllerFile()
+        return controllers_in(self.document, value.text.strip())
+
+    @lazy
+    def lost_namespace(self) -> Value | None:
+        """The namespace of its controllers, where its file of parameters is for controllers without one."""
+        space = next((each for ros in self.children("ros") for each in ros.children("namespace")), None)
+        if space is None or "$" in space.own_value.span.text or not space.content.strip(" /\n"):
+            return None
+        return space.own_value if self.controllers.manager is not None else None
 
     @lazy
     def known(self) -> PluginFacts | None:
@@ -1983,6 +1996,15 @@ class Plugin(Part):
             return None
 
         return drive_of(self)
+
+    @lazy
+    def drives(self) -> tuple[Drive, ...]:
+        """The drive that it makes, or those of the controllers of its file of parameters."""
+        own, model = self.drive, _driven_model(self)
+        if own is not None or model is None or "ros2_control" not in self.filename:
+            return () if own is None else (own,)
+        written = (_written_drive(model, self.file_of_controllers, each) for each in self.controllers.drives)
+        return tuple(filter(None, written))
 
     @lazy
     def stance(self) -> Stance | None:
@@ -2156,7 +2178,7 @@ _NEAR = 0.005
 class Wheel(NamedTuple):
     """A wheel of a drive, or what steers one, in the frame of the model."""
 
-    name: Element
+    name: Element | Parameter
     """The parameter that names the joint."""
     joint: Joint
     position: tuple[float, ...]
@@ -2190,13 +2212,29 @@ class Drive(NamedTuple):
     rights: tuple[Wheel, ...]
     steering: tuple[Wheel, ...]
     """The steering joints on the left and on the right, or nothing."""
-    separation: Element | None
-    radius: Element | None
+    separation: Element | Parameter | None
+    radius: Element | Parameter | None
     """The parameter of the radius or the diameter."""
     base: Element | None
     """The parameter of the distance of the axles."""
     has_sides: bool
     """Is left the left side? The drive of ROS 1 has the sides exchanged unless ``legacyMode`` is false."""
+    title: str
+    file: Element | None = None
+    """The parameter that names the file in which the others are, if they are in one."""
+
+    def place(self, parameter: Element | Parameter) -> Value | Element | None:
+        """Where the description says a parameter, or names the file in which it is."""
+        return parameter.own_value if isinstance(parameter, Element) else self.file
+
+    def labels(self, parameter: Element | Parameter) -> dict[object, str]:
+        """The place of a parameter in its file, if it is in one."""
+        return {} if isinstance(parameter, Element) else {parameter.span: "written here"}
+
+    def called(self, parameter: Element | Parameter) -> str:
+        """The name of a parameter, and that of its file."""
+        name = f"`{parameter.name}`"
+        return name if isinstance(parameter, Element) else f"{name} of `{parameter.span.source.path.name}`"
 
     @property
     def left(self) -> Wheel:
@@ -2429,7 +2467,20 @@ def drive_of(plugin: Plugin) -> Drive | None:
     turned = tuple(wheel for side in steering for wheel in side)
     has_sides = "leftJoint" not in given or (plugin.get("legacyMode") or "").strip() in {"false", "0"}
     steered = turned if len(turned) == 2 else ()
-    return Drive(lefts, rights, steered, separation, radius, _only(given, _BASE), has_sides)
+    title = f"drive `{plugin.name}`"
+    return Drive(lefts, rights, steered, separation, radius, _only(given, _BASE), has_sides, title)
+
+
+def _written_drive(model: Model, file: Element | None, written: WrittenDrive) -> Drive | None:
+    """The drive of a controller; None where a wheel is not known."""
+    lefts, rights = (
+        tuple(filter(None, (_wheel(model, name) for name in names)))
+        for names in (written.lefts, written.rights)
+    )
+    if len({wheel.joint for wheel in (*lefts, *rights)}) < 2 * len(written.lefts):
+        return None
+    title = f"controller `{written.controller}`"
+    return Drive(lefts, rights, (), written.separation, written.radius, None, True, title, file)
 
 
 def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | None:
@@ -2442,7 +2493,7 @@ def _driven_model(plugin: Plugin) -> Model | None:
     return scope if isinstance(scope, Model) else None
 
 
-def _wheel(model: Model, name: Element) -> Wheel | None:
+def _wheel(model: Model, name: Element | Parameter) -> Wheel | None:
     joint = model.joints_by_name.get(name.content.strip())
     if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
         return None
@@ -3271,10 +3322,27 @@ class Model(Scope):
         self.is_urdf = self.element.name == "robot"
 
     @lazy
+    def control_plugins(self) -> tuple[Plugin, ...]:
+        """The plugins that start the controllers of ``ros2_control`` in Gazebo."""
+        return tuple(plugin for plugin in self.plugins if "ros2_control" in plugin.filename)
+
+    @lazy
     def controller_needs(self) -> tuple[tuple[Plugin, ControllerNeed], ...]:
         """The joints and sensors that controllers ask for, each with the plugin that names their file."""
-        plugins = (plugin for plugin in self.plugins if "ros2_control" in plugin.filename)
-        return tuple((plugin, need) for plugin in plugins for need in plugin.controller_needs)
+        return tuple((plugin, need) for plugin in self.control_plugins for need in plugin.controllers.needs)
+
+    @property
+    def mistyped(self) -> Iterator[tuple[Plugin, Mistyped]]:
+        """The parameters of controllers that are of another type than they declare, each with the plugin as above."""
+        return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.mistyped)
+
+    @lazy
+    def idle_broadcaster(self) -> str:
+        """The controller that publishes the states of joints, if none of its ``ros2_control`` blocks has a state."""
+        parts = [part for block in self.ros2_control for part in block.components]
+        if not parts or any(not each.is_command for part in parts for each in part.interfaces):
+            return ""
+        return next(filter(None, (plugin.controllers.broadcaster for plugin in self.control_plugins)), "")
 
     @lazy
     def claims(self) -> dict[str, list[ControllerNeed]]:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import Library, library_of
-from sdfcheck.files.packages import Packages
+from sdfcheck.files.packages import Packages, is_of_ros_2
 from sdfcheck.files.regular import read_regular
 from sdfcheck.formats.near_names import nearest, suggest_in
 from sdfcheck.formats.schema import Definition
@@ -22,10 +22,11 @@ from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
-from sdfcheck.source.text import is_expression
+from sdfcheck.source.text import Source, is_expression
 from sdfcheck.xacro.language import may_become
 
 if TYPE_CHECKING:
+    from sdfcheck.robot.controllers import Mistyped, MoveItFiles
     from sdfcheck.robot.graph import Joint, Link, Model
     from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
@@ -40,6 +41,8 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
+_LARGEST_PARAMETERS = 64 * 1024
+"""Bytes of a file of parameters that is read."""
 _CLOSE = 1e-3
 """So far apart (rad or m), a joint and its place are the same."""
 _IN = 0.1
@@ -92,6 +95,8 @@ class Semantics:
         """Has its package the solvers of MoveIt's groups? Others read SRDF too, Pinocchio only poses of joints."""
         self.chained: frozenset[str] = frozenset()
         """The groups whose solver is that of KDL, which solves chains."""
+        self.beside: Mapping[str, Path] = {}
+        """The files of MoveIt's parameters in its package of ROS 2, by name, if it is the only SRDF file there."""
 
     @property
     def span(self) -> Span:
@@ -184,6 +189,74 @@ class Semantics:
                 if other != joint.name:
                     yield value, other, joint.name
                     break
+
+    @lazy
+    def parameters(self) -> MoveItFiles:
+        """The content of the files of MoveIt's parameters beside it."""
+        from sdfcheck.robot.controllers import MoveItFiles, moveit_files
+
+        texts = {}
+        for name, path in self.beside.items():
+            try:
+                text = read_regular(path, _LARGEST_PARAMETERS).decode("utf-8-sig")
+            except (OSError, UnicodeDecodeError):
+                continue
+            texts[name] = Source(path, text, is_foreign=True)
+        return moveit_files(texts) if texts else MoveItFiles()
+
+    @property
+    def mistyped(self) -> tuple[Mistyped, ...]:
+        """The limits of joints in a file beside it that are of another type than MoveIt declares."""
+        return self.parameters.mistyped
+
+    @property
+    def _parameterized(self) -> Model | None:
+        """The robot whose joints those files name, where that is certain."""
+        return self.robots[0] if len(self.robots) == 1 and self.beside and not any(self._unfound) else None
+
+    @property
+    def unlimited_joints(self) -> Iterator[tuple[Value, Sequence[str], Span]]:
+        """The groups with joints whose acceleration nothing limits: their name, these joints, and the file's place."""
+        robot, limits = self._parameterized, self.parameters.limits
+        if self.parameters.release == "humble":
+            return
+        known = {each.name for each in limits if each.content}
+        if robot is None or not any(each.name in robot.joints_by_name for each in limits):
+            return
+        for name, links in self.links_of.items():
+            value = self.groups[name].attribute("name")
+            moved = (each for each in robot.joints if each.child_name in links and _is_driven(each))
+            left = [each.name for each in moved if each.name not in known and not _has_acceleration(each)]
+            if value is not None and left:
+                yield (
+                    value,
+                    left,
+                    next((each.span for each in limits if each.name == left[0]), limits[0].span),
+                )
+
+    @property
+    def unmatched_parameters(self) -> Iterator[tuple[str, Span]]:
+        """Words about each name in the files of MoveIt's parameters that is not there, and its place."""
+        robot, files = self._parameterized, self.parameters
+        limits = [each for each in files.limits if not is_expression(each.name)]
+        if robot is not None and limits and not any(each.name in robot.joints_by_name for each in limits):
+            more = f" (and {len(limits) - 1} more)" * (len(limits) > 1)
+            yield f"limits joint `{limits[0].name}`, which {robot.title} does not have{more}", limits[0].span
+        solved = {each.name for each in files.solvers}
+        left = [
+            name for name in self.groups if name not in solved and self.groups[name].find("chain") is not None
+        ]
+        for each in files.solvers:
+            if left and each.name not in self.groups and not is_expression(each.name):
+                yield f"has a solver for group `{each.name}`, and group `{left[0]}` has none", each.span
+        for sent in files.sent:
+            unknown = (each for each in sent.joints if robot and each.content not in robot.joints_by_name)
+            other = files.started_instead(sent)
+            if robot is not None and (lost := next(unknown, None)) is not None:
+                yield f"sends joint `{lost.content}`, which {robot.title} does not have", lost.span
+            elif other:
+                words = f"the controller of these joints in `ros2_controllers.yaml` is `{other}`"
+                yield f"sends trajectories to `{sent.own_name}`, and {words}", sent.name.span
 
     @property
     def adjacent_pairs(self) -> Iterator[Element]:
@@ -524,6 +597,11 @@ def _rests_at_zero(link: Link) -> bool:
     return low <= 0 <= high
 
 
+def _has_acceleration(joint: Joint) -> bool:
+    """Does URDF limit its acceleration, as its newer versions can?"""
+    return any(limit.attribute("acceleration") is not None for limit in joint.element.children("limit"))
+
+
 def _is_driven(joint: Joint) -> bool:
     """Does it move, and follow no other joint?"""
     return joint.type != "fixed" and not (joint.axis_count == 1 and joint.axis.mimic is not None)
@@ -678,7 +756,9 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         return
     path, is_complete = semantics.document.path, True
     own = Packages(_package(path))
-    solvers = [file for file in own.files(".yaml", MOST_FILES) if file.name == "kinematics.yaml"]
+    files = list(own.files(".yaml", MOST_FILES))
+    solvers = [file for file in files if file.name == "kinematics.yaml"]
+    semantics.beside = _beside(path, own, files)
     semantics.has_kinematics = bool(solvers)
     semantics.chained = _chained(solvers)
     if _is_elsewhere(path, library.packages(path)):
@@ -700,6 +780,25 @@ def find_robots(semantics: Semantics, expand: Expand | None) -> None:
         alike = _called_alike(semantics, own)
         semantics.robots = () if alike is None else (alike,)
         semantics.namesake = _declared_namesake(semantics, library, expand) or _namesake(semantics, own)
+
+
+def _beside(path: Path, own: Packages, files: Sequence[Path]) -> Mapping[str, Path]:
+    """The files of MoveIt's parameters in the package of an SRDF file, if each is the only one of its kind."""
+    srdf = [
+        each
+        for suffix in (".srdf", ".xacro")
+        for each in own.files(suffix, MOST_FILES)
+        if ".srdf" in each.name
+    ]
+    if len(srdf) > 1 or not is_of_ros_2(path):
+        return {}
+    from sdfcheck.robot.controllers import MOVEIT_FILES
+
+    named: dict[str, list[Path]] = {}
+    for file in files:
+        if file.name in MOVEIT_FILES:
+            named.setdefault(file.name, []).append(file)
+    return {name: found[0] for name, found in named.items() if len(found) == 1}
 
 
 def _chained(solvers: Sequence[Path]) -> frozenset[str]:

@@ -193,6 +193,28 @@ KNUCKLE = """<link name="knuckle"><inertial><mass value="0.2"/>
 <origin xyz="0.15 0 0" rpy="-1.5708 0 0"/>
 <axis xyz="@@"/><limit lower="-1" upper="1" effort="9" velocity="2"/></joint>
 """
+ARM_CONTROL = CONTROL.format("gz_ros2_control/GazeboSimSystem", "shoulder")
+PARAMETERS = CONTROLLED.replace("c.yaml", "@@")
+TRAJECTORY = """controller_manager: {{ros__parameters: {{update_rate: 100,
+  arm: {{type: joint_trajectory_controller/JointTrajectoryController}}}}}}
+{}: {{ros__parameters: {{joints: [shoulder], command_interfaces: [position], state_interfaces: [position]}}}}
+"""
+WHEEL_CONTROL = "".join(
+    CONTROL.format("gz_ros2_control/GazeboSimSystem", f"{side}_joint")
+    .replace("position", "velocity", 1)
+    .replace("</joint>", '<state_interface name="velocity"/></joint>')
+    .replace('name="all"', f'name="{side}_system"')
+    for side in ("left", "right")
+)
+WHEELED = """drive: {{ros__parameters: {{type: diff_drive_controller/DiffDriveController,
+  left_wheel_names: [left_joint], right_wheel_names: [right_joint], {}}}}}
+"""
+PLANNED: dict[str, str | bytes] = {
+    "package.xml": "<package format='3'><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+    "joint_limits.yaml": "joint_limits:\n  shoulder: {has_acceleration_limits: true, max_acceleration: 1.0}\n",
+    "ompl_planning.yaml": "response_adapters: [default_planning_response_adapters/AddTimeOptimalParameterization]\n",
+    "kinematics.yaml": "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
+}
 PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
 XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -1843,6 +1865,174 @@ PROBLEMS = {
         "${w/2+${w/4}}",
         "${w/2+w/4}",
         "XAC010",
+    ),
+    # Threads of a sixth set: the files beside a description, and what only one program reads.
+    "a controller is called otherwise in its file": Problem(
+        "R2C042",
+        robot(ARM, ARM_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": TRAJECTORY.format("arm"),
+            "wrong.yaml": TRAJECTORY.format("arm_position"),
+        },
+    ),
+    "a robot has a namespace, and the file of its controllers has none": Problem(
+        "R2C042",
+        robot(ARM, ARM_CONTROL, CONTROLLED.replace("</parameters>", "</parameters>@@")),
+        "<ros><namespace>r1</namespace></ros>",
+        "",
+        files={"c.yaml": TRAJECTORY.format("arm")},
+    ),
+    "the time of a drive has no point": Problem(
+        "R2C043",
+        robot(CART, WHEEL_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": WHEELED.format("cmd_vel_timeout: 1.0"),
+            "wrong.yaml": WHEELED.format("cmd_vel_timeout: 1"),
+        },
+    ),
+    "a drive is told ten times the distance of its wheels": Problem(
+        "GEO011",
+        robot(CART, WHEEL_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": WHEELED.format("wheel_separation: 0.3"),
+            "wrong.yaml": WHEELED.format("wheel_separation: 3.0"),
+        },
+    ),
+    "a drive is told that its right wheel is the left one": Problem(
+        "GEO009",
+        robot(CART, WHEEL_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": WHEELED.format("wheel_radius: 0.07"),
+            "wrong.yaml": WHEELED.format("")
+            .replace("[left", "[@")
+            .replace("[right", "[left")
+            .replace("[@", "[right"),
+        },
+    ),
+    "a drive hangs a link on the odometry that hangs on another": Problem(
+        "GAZ020",
+        robot(CART, WHEEL_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": WHEELED.format("base_frame_id: base_link, enable_odom_tf: true"),
+            "wrong.yaml": WHEELED.format("base_frame_id: body, enable_odom_tf: true"),
+        },
+    ),
+    "states are published, and no joint has one": Problem(
+        "R2C040",
+        robot(ARM, ARM_CONTROL.replace('<state_interface name="position"/>', "@@"), CONTROLLED),
+        "",
+        '<state_interface name="position"/>',
+        -1,
+        files={
+            "c.yaml": "controller_manager: {ros__parameters: {states: {type:"
+            " joint_state_broadcaster/JointStateBroadcaster}}}\n"
+        },
+    ),
+    "a drive has two wheels on one side and one on the other": Problem(
+        "RES025",
+        robot(WAGON, WHEEL_CONTROL, PARAMETERS),
+        "wrong.yaml",
+        "right.yaml",
+        files={
+            "right.yaml": WHEELED.format(""),
+            "wrong.yaml": WHEELED.format("").replace("[left_joint", "[left_joint, front_left_joint"),
+        },
+    ),
+    "the start of a joint is beside its interfaces": Problem(
+        "R2C006",
+        robot(
+            ARM,
+            CONTROL.format("mock_components/GenericSystem", "shoulder").replace(
+                '<state_interface name="position"/>', '<state_interface name="position"@@</state_interface>'
+            ),
+        ),
+        '/><param name="initial_value">0.5</param><state_interface name="velocity">',
+        '><param name="initial_value">0.5</param>',
+    ),
+    "a ground for MuJoCo is in a robot": Problem(
+        "URD001",
+        robot(ARM, '<mujoco>\n<compiler fusestatic="false"/>@@</mujoco>'),
+        '<worldbody><geom type="plane" size="1 1 1"/></worldbody>',
+        "",
+    ),
+    "the wheels of a drive have no collisions": Problem(
+        "GEO008",
+        robot(CART.replace(f"<collision>{RIM}</collision>", "@@"), DRIVE),
+        "",
+        f"<collision>{RIM}</collision>",
+        -2,
+    ),
+    "a part has the moments of a cube of one meter": Problem(
+        "INR005",
+        robot(
+            ARM.replace("<inertia ", "<inertia @@ ", 1).replace(
+                '@@ ixx="0.01" iyy="0.01" izz="0.01"', "@@", 1
+            )
+        ),
+        'ixx="0.166667" iyy="0.166667" izz="0.166667"',
+        'ixx="0.004" iyy="0.008" izz="0.01"',
+    ),
+    "a group moves a joint without a limit of acceleration": Problem(
+        "JNT038",
+        '<robot name="bot">\n<group name="all">@@</group>\n</robot>',
+        '<joint name="grip"/>',
+        '<joint name="shoulder"/>',
+        suffix=".srdf",
+        files={**PLANNED, "bot.urdf": robot(ARM, FINGER)},
+    ),
+    "a group is called otherwise by its solver": Problem(
+        "SRD015",
+        '<robot name="bot">\n<group name="@@"><chain base_link="base" tip_link="upper"/></group>\n</robot>',
+        "manipulator",
+        "arm",
+        -1,
+        suffix=".srdf",
+        files={**PLANNED, "bot.urdf": robot(ARM)},
+    ),
+    "a limit of ros2_control has braces without a dollar": in_xacro(
+        ARM
+        + CONTROL.format("mock_components/GenericSystem", "shoulder").replace(
+            '<command_interface name="position"/>',
+            '<command_interface name="position"><param name="min">-1</param>\n<param name="max">@@{pi/4}</param>'
+            "</command_interface>",
+        ),
+        "",
+        "$",
+        "R2C020",
+    ),
+    "an include is placed by its own name": Problem(
+        "FRM004",
+        model(
+            f'<link name="base">{SDF_BODY}</link><include><uri>crate</uri><name>some_crate</name>\n'
+            "<placement_frame>@@</placement_frame><pose>1 0 0 0 0 0</pose></include>",
+        ),
+        "some_crate",
+        "l",
+        suffix=".sdf",
+        files={
+            "crate/model.config": "<model><name>crate</name><sdf version='1.9'>model.sdf</sdf></model>",
+            "crate/model.sdf": model(f'<link name="l">{SDF_BODY}</link>').replace('name="m"', 'name="crate"'),
+        },
+    ),
+    "the damping under water is that of one direction": Problem(
+        "GAZ037",
+        model(
+            f'<link name="l">{SDF_BODY}</link><plugin filename="gz-sim-hydrodynamics-system" '
+            'name="gz::sim::systems::Hydrodynamics"><link_name>l</link_name>\n@@</plugin>'
+        ),
+        "<xUU>-6</xUU><yVV>-60</yVV>",
+        "<xUabsU>-6</xUabsU><yVabsV>-60</yVabsV>",
+        suffix=".sdf",
     ),
 }
 

@@ -258,7 +258,8 @@ class UrdfFindings(Findings):
 
     def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
         self.places[element] = _newest(definition)
-        if not self.is_one_too_many(element):
+        is_free = definition.open and not definition.attributes
+        if not is_free and not self.is_one_too_many(element):
             value = Value(element, name, element.attributes[name])
             self.unknown_values.setdefault((element.name, name), []).append(value)
 

@@ -56,8 +56,9 @@ def test_multiplicity() -> None:
 
 
 def test_content_of_others_is_open() -> None:
-    for name in ("gazebo", "transmission", "ros2_control", "mujoco"):
+    for name in ("gazebo", "transmission", "ros2_control"):
         assert urdf().children[name].open
+    assert all(child.open for child in urdf().children["mujoco"].children.values())
     assert not urdf().children["link"].open
 
 

@@ -102,3 +102,162 @@ def test_a_file_elsewhere_is_not_read(tmp_path: Path) -> None:
     (project / "link.yaml").symlink_to(other / "secret.yaml")
     for address in (f"{other}/secret.yaml", "../other/secret.yaml", "link.yaml", "none.yaml", "package.xml"):
         assert needs(project, "", address) == [], address
+
+
+def controllers(folder: Path, text: str, inside: str = "") -> sdfcheck.Plugin:
+    """The plugin that names a file ``c.yaml``."""
+    (folder / "c.yaml").write_text(text)
+    robot = ROBOT.format("c.yaml").replace("<parameters>", f"{inside}<parameters>")
+    (folder / "r.urdf").write_text(robot)
+    return sdfcheck.load(folder / "r.urdf").model(0).control_plugins[0]
+
+
+DRIVE = "drive: {{ros__parameters: {{type: diff_drive_controller/DiffDriveController, {}}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "wrong"),
+    [
+        ("wheel_radius: 0.1", []),
+        ("wheel_radius: 1e-1", []),
+        ("wheel_radius: .inf", []),
+        ("wheel_radius: $(var radius)", []),
+        ("wheel_radius: null", []),
+        ("wheel_radius: 1", ["wheel_radius"]),
+        ("wheel_radius: -1", ["wheel_radius"]),
+        ("wheel_radius: 0x1f", ["wheel_radius"]),
+        ("wheel_radius: '0.1'", ["wheel_radius"]),
+        ("wheel_radius: [0.1]", ["wheel_radius"]),
+        ("wheel_radius: {a: 1}", []),
+        ("open_loop: true, position_feedback: yes", []),
+        ("open_loop: 1", ["open_loop"]),
+        ("velocity_rolling_window_size: 10", []),
+        ("velocity_rolling_window_size: 10.0", ["velocity_rolling_window_size"]),
+        ("odom_frame_id: odom", []),
+        ("odom_frame_id: '1'", []),
+        ("odom_frame_id: 1", ["odom_frame_id"]),
+        ("left_wheel_names: [a]", []),
+        ("left_wheel_names: a", ["left_wheel_names"]),
+        ("pose_covariance_diagonal: [0.1, 0]", []),
+        ("pose_covariance_diagonal: [1, 0]", ["pose_covariance_diagonal"]),
+        ("linear: {x: {has_velocity_limits: true, max_velocity: 1.0}}", []),
+        ("linear: {x: {max_velocity: 1}}", ["linear.x.max_velocity"]),
+        ("linear.x.max_velocity: 1", ["linear.x.max_velocity"]),
+        ("something_else: 1", []),
+    ],
+)
+def test_types_of_parameters(parameters: str, wrong: list[str], tmp_path: Path) -> None:
+    found = controllers(tmp_path, DRIVE.format(parameters)).controllers.mistyped
+    assert [each.parameter.name for each in found] == wrong
+
+
+def test_parameters_of_one_type_are_one_mistake(tmp_path: Path) -> None:
+    text = DRIVE.format("wheel_radius: 1, wheel_separation: 2, left_wheel_names: a")
+    found = controllers(tmp_path, text).controllers.mistyped
+    assert [(each.parameter.name, each.more) for each in found] == [
+        ("wheel_radius", 1),
+        ("left_wheel_names", 0),
+    ]
+
+
+MANAGER = "{}controller_manager: {{ros__parameters: {{arm: {{type: {}{}}}}}}}\n"
+GROUPED = "position_controllers/JointGroupPositionController"
+LIFT = "{}: {{ros__parameters: {{joints: [lift]}}}}\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (MANAGER.format("", GROUPED, "") + LIFT.format("arm"), []),
+        (MANAGER.format("", GROUPED, "") + LIFT.format("/r/arm"), []),
+        (MANAGER.format("", GROUPED, "") + LIFT.format("/**"), []),
+        (MANAGER.format("", GROUPED, "") + LIFT.format("arms"), [("arm", "arms")]),
+        (MANAGER.format("", GROUPED, "") + LIFT.format("arms") + LIFT.format("legs"), []),
+        (MANAGER.format("", GROUPED, "") + "node: {ros__parameters: {rate: 1}}\n", []),
+        (MANAGER.format("", GROUPED, ", joints: [lift]"), [("arm", "")]),
+        (MANAGER.format("", "my/Own", ", joints: [lift]"), []),
+        (MANAGER.format("", "joint_state_broadcaster/JointStateBroadcaster", "") + LIFT.format("arms"), []),
+    ],
+)
+def test_parameters_that_no_controller_reads(
+    text: str, expected: list[tuple[str, str]], tmp_path: Path
+) -> None:
+    found = controllers(tmp_path, text).controllers.unreached
+    assert [(each.controller, each.stray) for each in found] == expected
+
+
+@pytest.mark.parametrize(
+    ("space", "text", "is_lost"),
+    [
+        ("/r1", MANAGER.format("", GROUPED, ""), True),
+        ("r1", MANAGER.format("/", GROUPED, ""), True),
+        ("/", MANAGER.format("", GROUPED, ""), False),
+        ("", MANAGER.format("", GROUPED, ""), False),
+        ("/r1", MANAGER.format("/r1/", GROUPED, ""), False),
+        ("/r1", "r1:\n  " + MANAGER.format("", GROUPED, ""), False),
+        ("/r1", MANAGER.format("/**/", GROUPED, ""), False),
+        ("/r1", MANAGER.format("", GROUPED, "") + LIFT.format("/**"), False),
+        ("/r1", LIFT.format("arm"), False),
+    ],
+)
+def test_namespaces(space: str, text: str, is_lost: bool, tmp_path: Path) -> None:
+    plugin = controllers(tmp_path, text, f"<ros><namespace>{space}</namespace></ros>")
+    assert (plugin.lost_namespace is not None) is is_lost
+
+
+def test_many_parameters_take_no_time(tmp_path: Path) -> None:
+    times = []
+    for count in (500, 1000, 2000):
+        given = ", ".join(f"p{n}_multiplier: 1" for n in range(count))
+        plugin = controllers(tmp_path, DRIVE.format(given))
+        begin = time.process_time()
+        assert [each.more for each in plugin.controllers.mistyped] == [count - 1]
+        times.append(time.process_time() - begin)
+    assert times[2] < 8 * times[0] + 1
+
+
+MOVEIT = (
+    "moveit_simple_controller_manager: {{controller_names: [{0}], "
+    "{0}: {{type: FollowJointTrajectory, joints: {1}}}}}\n"
+)
+SRDF = '<robot name="r"><group name="all"><joint name="lift"/></group></robot>'
+
+
+@pytest.mark.parametrize(
+    ("files", "expected"),
+    [
+        ({}, []),
+        ({"joint_limits.yaml": "joint_limits: {lift: {}, other: {}}"}, []),
+        ({"joint_limits.yaml": "joint_limits: {other: {}}"}, ["limits joint `other`"]),
+        ({"a/joint_limits.yaml": "joint_limits: {other: {}}", "b/joint_limits.yaml": ""}, []),
+        ({"joint_limits.yaml": "joint_limits: {other: {}}", "s.srdf": SRDF}, []),
+        ({"joint_limits.yaml": "[" * 50_000}, []),
+        ({"moveit_controllers.yaml": MOVEIT.format("arm", "[lift]")}, []),
+        ({"moveit_controllers.yaml": MOVEIT.format("arm", "[lft]")}, ["sends joint `lft`"]),
+        (
+            {
+                "moveit_controllers.yaml": MOVEIT.format("arms", "[lift]"),
+                "ros2_controllers.yaml": MANAGER.format("", GROUPED, "") + LIFT.format("arm"),
+            },
+            [
+                "sends trajectories to `arms`, and the controller of these joints in `ros2_controllers.yaml` is `arm`"
+            ],
+        ),
+        (
+            {
+                "moveit_controllers.yaml": MOVEIT.format("arms", "[lift]"),
+                "ros2_controllers.yaml": MANAGER.format("", GROUPED, "")
+                + LIFT.format("arm").replace("lift", "x"),
+            },
+            [],
+        ),
+    ],
+)
+def test_names_in_files_of_moveit(files: dict[str, str], expected: list[str], tmp_path: Path) -> None:
+    manifest = "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    for name, text in {"package.xml": manifest, "r.urdf": ROBOT, "r.srdf": SRDF, **files}.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    found = sdfcheck.lint([tmp_path / "r.srdf"], isolated=True, select=["SRD015"]).diagnostics
+    assert len(found) == len(expected)
+    assert all(words in each.message for words, each in zip(expected, found, strict=True))
