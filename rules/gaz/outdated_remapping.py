@@ -15,7 +15,10 @@ from sdfcheck import (
     rename,
 )
 
-PLUGIN = '<sensor name="s" type="imu"><plugin name="p" filename="libgazebo_ros_imu_sensor.so"><ros>{}</ros></plugin></sensor>'
+PLUGIN = (
+    '<sensor name="s" type="imu"><plugin name="p" filename="libgazebo_ros_imu_sensor.so"><ros>{}</ros></plugin>'
+    "</sensor>"
+)
 ONE_COLON = re.compile(r"([^\s:=${}]+):(?!=)([^\s:=]+)")
 
 
@@ -71,7 +74,7 @@ class OutdatedRemapping(Rule):
                 message = "a remapping in `argument` is deprecated in ROS 2"
                 yield self.diagnostic(element, message, severity=Severity.INFO, fix=renamed)
                 continue
-            edits = (TextEdit(element.own_value.span, text.replace(":", ":=", 1)),)
+            edits: tuple[TextEdit, ...] = (TextEdit(element.own_value.span, text.replace(":", ":=", 1)),)
             if element.name == "argument" and renamed is not None:
                 edits += renamed.edits
             fix = make_fix("write a remapping", edits, unsafe=True)
