@@ -15,7 +15,10 @@ from sdfcheck import (
     rename,
 )
 
-PLUGIN = '<sensor name="s" type="imu"><plugin name="p" filename="libgazebo_ros_imu_sensor.so"><ros>{}</ros></plugin></sensor>'
+PLUGIN = (
+    '<sensor name="s" type="imu"><plugin name="p" filename="libgazebo_ros_imu_sensor.so"><ros>{}</ros></plugin>'
+    "</sensor>"
+)
 ONE_COLON = re.compile(r"([^\s:=${}]+):(?!=)([^\s:=]+)")
 
 

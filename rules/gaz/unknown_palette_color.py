@@ -20,16 +20,16 @@ PREFIX = "Gazebo/"
 COLORS = frozenset(
     """
     Black BlackTransparent Blue BlueGlow BlueLaser BlueTransparent BlueTransparentOverlay Bricks
-    CameraDistortionMap CeilingTiled Chrome CloudySky CoM DarkGrey DarkMagentaTransparent
-    DarkOrangeTransparent DarkOrangeTransparentOverlay DarkYellow DepthMap FlatBlack Footway
-    GaussianCameraNoise Gold Green GreenGlow GreenTransparent GreenTransparentOverlay Grey
-    GreyGradientSky GreyTransparent Indigo JointAnchor Lane_1 Lanes_2 Lanes_4 Lanes_6 LaserScan1st
-    LaserScan2nd LightBlueLaser LightOff LightOn Motorway Orange OrangeTransparent
-    OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody PointCloud Primary
-    Purple PurpleGlow Red RedBright RedGlow RedTransparent RedTransparentOverlay Residential Road
-    Runway RustyBarrel RustySteel Secondary SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow
-    TurquoiseGlowOutline White WhiteGlow WindowFrame Wood WoodFloor WoodPallet XYZPoints Yellow
-    YellowGlow YellowTransparent ZincYellow
+    BuildingFrame CameraDistortionMap CeilingTiled Chrome CloudySky CoM DarkGrey
+    DarkMagentaTransparent DarkOrangeTransparent DarkOrangeTransparentOverlay DarkYellow DepthMap
+    FlatBlack Footway GaussianCameraNoise Gold Grass Green GreenGlow GreenTransparent
+    GreenTransparentOverlay Grey GreyGradientSky GreyTransparent Indigo JointAnchor Lane_1 Lanes_2
+    Lanes_4 Lanes_6 LaserScan1st LaserScan2nd LightBlueLaser LightOff LightOn Motorway Orange
+    OrangeTransparent OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody
+    PointCloud PointHandle Primary Purple PurpleGlow Red RedBright RedGlow RedTransparent
+    RedTransparentOverlay Residential Road Runway RustyBarrel RustySteel Secondary SkyBlue Steps
+    Tertiary Trunk Turquoise TurquoiseGlow TurquoiseGlowOutline White WhiteGlow WideLensMap
+    WindowFrame Wood WoodFloor WoodPallet XYZPoints Yellow YellowGlow YellowTransparent ZincYellow
     """.split()
 )
 """The names in gazebo.material of Gazebo Classic; recent releases of Gazebo know most of the plain colors."""
@@ -88,6 +88,7 @@ class UnknownPaletteColor(Rule):
     good = (
         Good('<gazebo reference="base"><material>Gazebo/Grey</material></gazebo>'),
         Good('<gazebo reference="base"><material>My/OwnPaint</material></gazebo>'),
+        Good(SCRIPT.format("Gazebo/Grass"), scaffold=IN_VISUAL),
         Good(
             SCRIPT.format("Gazebo/Gray").replace(
                 "file://media/materials/scripts/gazebo.material", "model://m/own"

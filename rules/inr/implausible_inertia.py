@@ -5,6 +5,9 @@ from sdfcheck_rules.inr.excess_density import is_too_dense
 from sdfcheck_rules.inr.moments import MARK, is_far_off, is_first, is_unit, others, ratio
 from sdfcheck_rules.inr.ratios import times
 
+NOTHING = 1e-6
+"""kg: so little is meant as none, beside moments that are meant."""
+
 
 class ImplausibleInertia(Rule):
     """An inertia is off by more than a hundredfold from a solid of the link's mass and shapes.
@@ -50,6 +53,11 @@ class ImplausibleInertia(Rule):
             why="it is the mass that is wrong",
         ),
         Good(
+            "<inertial><mass>1e-10</mass><inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia></inertial>"
+            '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
+            why="its mass is that of another link",
+        ),
+        Good(
             "<inertial><mass>2</mass><inertia><ixx>2</ixx><iyy>2</iyy><izz>2</izz></inertia></inertial>"
             '<collision name="c"><geometry><mesh><uri>https://example.org/a.dae</uri></mesh></geometry></collision>',
             why="a mesh that is not on this computer may be of any size",
@@ -72,6 +80,6 @@ def is_implausible(inertial: Inertial) -> bool:
     if not is_far_off(inertial) or inertial.inertia is None or is_unit(inertial):
         return False
     if ratio(inertial) > 1:
-        return True
+        return inertial.mass.number > NOTHING
     # else the mass may be wrong, which another rule says
     return inertial.mass.number > MARK and not is_too_dense(inertial)

@@ -9,7 +9,9 @@ DECODED = frozenset((".msh", ".obj", ".stl"))
 MOST = 200_000
 """Triangles of an STL file."""
 TRIANGLE = "\0" * 80 + "\1\0\0\0" + "\0" * 50
+FLAT, HULL, BOX = "a flat mesh", "which makes a convex hull of it", "write a thin `<box>` in its place"
 READ = f"which reads binary .stl up to {MOST} triangles, .obj and .msh"
+SQUARE = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n"
 TEXT = """solid a
 facet normal 0 0 1
 outer loop
@@ -27,7 +29,7 @@ class UndecodedMesh(Rule):
 
     It reads `.stl`, `.obj` and its own `.msh`, in either case of the letters, and refuses the robot
     for any other, `.dae` above all. An STL file has to be binary, to have as many bytes as its header says, and at
-    most 200,000 triangles.
+    most 200,000 triangles. A mesh in one plane is refused in each form.
     """
 
     code = "MUJ002"
@@ -37,7 +39,8 @@ class UndecodedMesh(Rule):
 
     Blender, MeshLab and assimp (`assimp export arm.dae arm.stl`) do so. Mind the unit and the upright axis
     that a COLLADA file declares: STL has neither. A mesh with too many triangles is made smaller in MeshLab (Filters,
-    Remeshing, Quadric Edge Collapse Decimation), or replaced by its convex hull.
+    Remeshing, Quadric Edge Collapse Decimation), or replaced by its convex hull. In place of a flat one write a thin
+    `<box>`.
     """
     default = False
     looks_at = (Model,)
@@ -51,10 +54,20 @@ class UndecodedMesh(Rule):
             says="an STL file that is a text, or longer than its header says, cannot be a collision in MuJoCo",
         ),
         Bad(MESH.format("«arm.stl»"), files={"arm.stl": TRIANGLE + "\0"}, says="longer than its header says"),
+        Bad(
+            MESH.format("«lid.obj»"),
+            files={"lid.obj": SQUARE},
+            says="a flat mesh cannot be a collision in MuJoCo",
+        ),
     )
     good = (
         Good(MESH.format("meshes/arm.STL")),
         Good(MESH.format("arm.stl"), files={"arm.stl": TRIANGLE}),
+        Good(
+            MESH.format("lid.obj"),
+            files={"lid.obj": SQUARE + "v 0 0 1\nf 1 2 5\n"},
+            why="a point is above it",
+        ),
         Good(MESH.format("meshes/arm.dae").replace("collision", "visual"), why="visuals are not read"),
     )
 
@@ -64,7 +77,8 @@ class UndecodedMesh(Rule):
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
         for what, values in sorted(undecoded(model).items()):
-            yield self.diagnostic(values[0], f"{what}{used(len(values))}, {READ}")
+            why, advice = (HULL, BOX) if what.startswith(FLAT) else (READ, None)
+            yield self.diagnostic(values[0], f"{what}{used(len(values))}, {why}", help=advice)
 
 
 def undecoded(model: Model) -> dict[str, list[Value]]:
@@ -81,9 +95,12 @@ def form(geometry: Geometry, value: Value) -> str:
     suffix = PurePosixPath(value.text.strip()).suffix.lower()
     if suffix not in DECODED:
         return f"a `{suffix}` file" if suffix else "a file without suffix"
-    mesh = geometry.mesh if suffix == ".stl" else None
-    if mesh is None or mesh.fault or mesh.format != "STL":
+    mesh = geometry.mesh
+    if mesh is None or mesh.fault:
         return ""
-    if mesh.triangles > MOST:
-        return f"an STL file of {mesh.triangles} triangles"
-    return "" if mesh.is_exact else "an STL file that is a text, or longer than its header says,"
+    if suffix == ".stl" and mesh.format == "STL":
+        if mesh.triangles > MOST:
+            return f"an STL file of {mesh.triangles} triangles"
+        if not mesh.is_exact:
+            return "an STL file that is a text, or longer than its header says,"
+    return FLAT if mesh.bounds is not None and mesh.bounds.size.count(0) == 1 else ""

@@ -2,6 +2,7 @@ from collections.abc import Iterator
 
 from sdfcheck import (
     IN_MODEL,
+    IN_URDF_LINK,
     REFUSES,
     Bad,
     Consumer,
@@ -12,9 +13,11 @@ from sdfcheck import (
     accepts,
     problems,
     refuses,
+    used,
 )
 
 JOINT = '<joint {} type="fixed"><parent link="a"/><child link="b"/></joint>'
+SHAPE = '<{}><geometry><sphere radius="1"/></geometry></visual>'
 ROBOT = '<robot name="r"><link name="a"/><link name="b"/>{}</robot>'
 IN_JOINTS = {
     Consumer.DRAKE: accepts("needs no name there"),
@@ -22,12 +25,17 @@ IN_JOINTS = {
     Consumer.PYBULLET: refuses("crashes"),
 }
 
+IN_SHAPES = dict.fromkeys(
+    (Consumer.GAZEBO, Consumer.ISAAC, Consumer.PYBULLET), accepts("needs no name there")
+)
+
 
 class EmptyName(Rule):
     """A name is empty or blank.
 
     libsdformat stops reading there: what has a name must have one that can be referred to.
-    In URDF urdfdom and MuJoCo take it; Drake wants names of robots and links.
+    In URDF urdfdom and MuJoCo take it; Drake wants names of robots and links, and of shapes none or one that is not
+    empty.
     """
 
     code = "NAM006"
@@ -45,25 +53,39 @@ class EmptyName(Rule):
         Bad('<link «name»=""/>', says="the name of `link` is empty"),
         Bad('<frame name="« »"/>', says="the name of `frame` is blank"),
         Bad(
+            '<link name="a"><visual «name»=""><geometry><box><size>1 1 1</size></box></geometry></visual></link>',
+            says="the name of `visual` is empty",
+        ),
+        Bad(
             JOINT.format('«name»=""'),
             scaffold=ROBOT,
             says="the name of `joint` is empty",
+        ),
+        Bad(
+            SHAPE.format('visual «name»=""') + SHAPE.format('visual name=" "'),
+            scaffold=IN_URDF_LINK,
+            says="the name of `visual` is empty (used 2 times): Drake refuses the robot",
         ),
     )
     good = (
         Good('<plugin name="" filename="p"/>', why="a plugin needs no name since 1.10"),
         Good(JOINT.format('name="j"'), scaffold=ROBOT),
+        Good(SHAPE.format("visual"), scaffold=IN_URDF_LINK, why="without a name it gets one"),
     )
 
     def check(self, problem: problems.EmptyName) -> Iterator[Diagnostic]:
         value = problem.value
         what = "blank" if value.text else "empty"
         message = f"the name of `{value.element.name}` is {what}"
-        if problem.until is None:
+        if problem.shapes:
+            message += f"{used(problem.shapes)}: Drake refuses the robot"
+            advice = "leave the `name` out, or give it one that its siblings do not have"
+            yield self.diagnostic(value, message, severity=Severity.WARNING, help=advice, affects=IN_SHAPES)
+        elif problem.until is None:
             parent = value.element.parent
             is_joint = value.element.name == "joint" and parent is not None and parent.name == "robot"
             affects = IN_JOINTS if is_joint else {}
             yield self.diagnostic(value, message, affects=affects)
-            return
-        message += f", and required up to version {problem.until}"
-        yield self.diagnostic(value, message, severity=Severity.WARNING)
+        else:
+            message += f", and required up to version {problem.until}"
+            yield self.diagnostic(value, message, severity=Severity.WARNING)

@@ -1,6 +1,20 @@
+import os
 from collections.abc import Iterator
 
-from sdfcheck import IN_URDF_LINK, Bad, Diagnostic, Good, Resource, Root, Rule, Severity, used
+from sdfcheck import (
+    IN_URDF_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Resource,
+    Root,
+    Rule,
+    Severity,
+    used,
+)
+from sdfcheck_rules.res.absences import looking_for
 
 RELATIVE = ""
 MODEL = "model"
@@ -15,7 +29,8 @@ class UnportableMeshUri(Rule):
 
     ROS programs such as RViz know `package://`, `file://` and web addresses; a relative
     path, `model://`, or the bare path that xacro makes of `$(find arm)/meshes/arm.stl` shows no mesh there. Drake,
-    MuJoCo and Gazebo do resolve paths. Reported once for each kind of address.
+    MuJoCo and Gazebo do resolve paths, from the folder of the robot: Drake and MuJoCo refuse a robot whose meshes are
+    there from another one only, in which a program is started. Reported once for each kind of address.
     """
 
     code = "RES013"
@@ -32,6 +47,12 @@ class UnportableMeshUri(Rule):
 
     bad = (
         Bad(MESH.format("«meshes/arm.stl»"), says="relative path"),
+        Bad(
+            MESH.format("«meshes/arm.obj»"),
+            file="urdf/arm.urdf",
+            files={"package.xml": "<package><name>arm</name></package>", "meshes/arm.obj": OBJ},
+            says="is not resolved by ROS programs, and leads to no file from the folder of the robot",
+        ),
         Bad(
             MESH.format("«model://arm/a.stl»") + MESH.format("model://arm/b.stl"),
             says="(used 2 times) is not resolved",
@@ -57,7 +78,19 @@ class UnportableMeshUri(Rule):
             uses = [resource for resource, own in zip(root.resources, schemes, strict=True) if own == kind]
             if uses:
                 message = f"{what}{used(len(uses))} is not resolved by ROS programs"
-                yield self.diagnostic(uses[0].uri_value, message)
+                far = list(filter(is_elsewhere, uses)) if kind == RELATIVE else []
+                if far:
+                    message += ", and leads to no file from the folder of the robot"
+                readers = {each for use in far for each in looking_for(use)} - {Consumer.PYBULLET}
+                yield self.diagnostic(uses[0].uri_value, message, affects=dict.fromkeys(readers, REFUSES))
+
+
+def is_elsewhere(resource: Resource) -> bool:
+    """Is the file of a relative path there, though not beside the robot: in the folder where a program starts?"""
+    location = resource.location
+    if location is None or location.path is None:
+        return False
+    return not os.path.exists(os.path.join(resource.document.path.parent, resource.uri))
 
 
 def scheme(resource: Resource) -> str | None:

@@ -50,6 +50,7 @@ class IncompleteInertia(Rule):
             '<«inertial»><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>',
             says="has no `mass`",
         ),
+        Bad('<«inertial»><origin xyz="0 0 0"/></inertial>', says="has no `mass` and no `inertia`"),
     )
     good = (
         Good(
@@ -73,11 +74,12 @@ class IncompleteInertia(Rule):
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link = inertial.link.title
-        for part in filter(inertial.lacks, PARTS):
+        if parts := list(filter(inertial.lacks, PARTS)):
             affects = {Consumer.PYBULLET: REFUSES}
-            if part == "mass":
+            if "mass" in parts:
                 affects[Consumer.DRAKE] = warns("takes a solid sphere of 1 kg")
-            yield self.diagnostic(inertial, f"the inertial of {link} has no `{part}`", affects=affects)
+            lacks = " and no ".join(f"`{part}`" for part in parts)
+            yield self.diagnostic(inertial, f"the inertial of {link} has no {lacks}", affects=affects)
         if inertial.missing_moments and inertial.inertia is not None:
             missing = named(inertial.missing_moments, "or")
             affects = {Consumer.PYBULLET: REFUSES} if MOMENTS.intersection(inertial.missing_moments) else {}

@@ -211,11 +211,17 @@ def _models(document: Document, name: str, around: _Surroundings) -> Iterator[st
 
 
 def _models_of_project(document: Document, name: str, around: _Surroundings) -> tuple[str, ...]:
-    """The folders of a model in other packages of the project: launch files point Gazebo to those."""
+    """The folders of a model in other packages of the project: launch files point Gazebo to those.
+
+    Or that of a package of the name, as libsdformat writes what is ``package://`` in URDF.
+    """
     library = library_of(document)
     if library is None or library.search.is_alone:
         return ()
-    return tuple(library.packages(document.path).models(name, around.folder))
+    packages = library.packages(document.path)
+    package = packages.find(name, document.path)
+    own = () if package is None or not around.disk.has(str(package / "package.xml")) else (str(package),)
+    return (*packages.models(name, around.folder), *own)
 
 
 def _exported(document: Document, path: str) -> Iterator[str]:

@@ -19,6 +19,8 @@ LONGEST = 200
 """A name with more letters is not guessed at."""
 _CELLS = 1_000_000
 """The pairs of letters that are compared for the names of one document."""
+_FULL = 8
+"""From so many letters on the first one may be wrong beside another."""
 LOOK = 10
 """The cost of looking at a candidate, in pairs of letters."""
 
@@ -49,6 +51,14 @@ def without_unit(name: str, candidates: Collection[str]) -> str | None:
     return bare if bare != name and bare in candidates else None
 
 
+def with_another_word(name: str, candidates: Iterable[str]) -> str | None:
+    """The only candidate with one more word before those of a name: ``dynamic_bias_correlation_time``."""
+    longer = [
+        each for each in candidates if each.endswith(f"_{name}") and each.count("_") == name.count("_") + 1
+    ]
+    return longer[0] if "_" in name and len(longer) == 1 else None
+
+
 def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) -> str | None:
     """The candidate that a misspelled name was meant to be, or None when nothing is near.
 
@@ -77,8 +87,9 @@ def suggest(name: str, candidates: Iterable[str], effort: Effort | None = None) 
         if effort.is_spent:
             break
         edits = distance(folded, other, allowed, effort)
-        # A short name is another one after half of its letters have changed.
-        if edits <= allowed and 2 * edits < len(other):
+        # A short name is another one after half of its letters have changed, or the first and one more.
+        is_other = 2 * edits >= len(other) or (edits > 1 and len(other) < _FULL and folded[0] != other[0])
+        if edits <= allowed and not is_other:
             near.append((edits, sorted(other) != sorted(folded), candidate))
     return min(near)[2] if near else None
 

@@ -146,10 +146,14 @@ class MissingAttribute(Record):
 
 
 class EmptyName(Record):
-    """A name of nothing but spaces; ``until`` as in :class:`MissingAttribute`."""
+    """A name of nothing but spaces; ``until`` as in :class:`MissingAttribute`.
+
+    Names of shapes in URDF are counted: ``shapes``.
+    """
 
     value: Value
     until: Version | None = None
+    shapes: int = 0
 
 
 class RepeatedElement(Record):

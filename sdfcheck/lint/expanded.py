@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 from types import MappingProxyType
 
@@ -129,6 +129,7 @@ _OFF = frozenset({"false", "False", "0"})
 _OF_ENVIRONMENT = re.compile(r"^\$\(optenv\s+\w+\s+(\w+)\s*\)$")
 _FILLED = "any_"
 _MOST_VARIANTS = 8
+_MOST_NESTED = 4
 _MOST_ERRORS = 5
 """With a value that brings more of them the robot is not meant to be at all."""
 _MOST_ELEMENTS = 6_000
@@ -158,17 +159,42 @@ def _lint_variants(
     values = dict(islice(other_values(document), most))
     together = new(values) if values else []
     left = None if together is None else set(map(_where, together))
-    for name, value in values.items():
-        if left is None and value in _OFF:
-            continue
+    turned = [{name: value} for name, value in values.items() if left is not None or value not in _OFF]
+    for arguments in chain(turned, _nested(together or (), values, document)):
         if left is not None and left <= seen:
             return
-        errors = new({name: value}) or []
+        errors = new(arguments) or []
         for each in errors if len(errors) <= _MOST_ERRORS else ():
             if left is None or _where(each) in left:
                 seen.add(_where(each))
-                message = f"{each.message} (with `{name}:={value}`)"
+                given = " and ".join(f"`{name}:={value}`" for name, value in arguments.items())
+                message = f"{each.message} (with {given})"
                 yield each.without_fix._replace(message=message, severity=Severity.WARNING, affects=())
+
+
+def _nested(
+    found: Iterable[Diagnostic], values: Mapping[str, str], document: Document
+) -> Iterator[dict[str, str]]:
+    """The values that it takes to reach an error in a branch within a branch, or in a file that a branch includes."""
+    files = {
+        reading.document.source.real_path: reading.document
+        for reading in visible_definitions(document).readings
+    }
+    tried: set[frozenset[str]] = set()
+    for each in found:
+        words: set[str] = set()
+        for span in (each.span, *(origin.span for origin in each.origins)):
+            if written := files.get(span.source.real_path):
+                number = bisect_right(written.scan.starts, span.start) - 1
+                around = written.elements[number].around if number >= 0 else ()
+                conditions = (
+                    part.text_of("value", "") for part in around if keyword(part) in {"if", "unless"}
+                )
+                words.update(re.findall(r"\w+", " ".join(conditions)))
+        needed = frozenset(words.intersection(values))
+        if len(needed) > 1 and needed not in tried and len(tried) < _MOST_NESTED:
+            tried.add(needed)
+            yield {name: value for name, value in values.items() if name in needed}
 
 
 def _errors_with(
@@ -185,9 +211,15 @@ def _errors_with(
         return None if goes_on(expansion) else []
     if expanded.source.text == robot.source.text or len(expanded.elements) > _MOST_ELEMENTS:
         return []
+    if _has_links(robot) and not _has_links(expanded):
+        return []  # the argument leaves the robot out, as it is meant to
     expanded.library = document.library
     found = fold(settle(lint_document(expanded, dispatch.of_errors), expanded, document))
     return [each for each in found if each.severity is Severity.ERROR]
+
+
+def _has_links(robot: ExpandedDocument) -> bool:
+    return robot.root is not None and robot.root.has("link")
 
 
 def _where(found: Diagnostic) -> tuple[str, Path, int]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.library import Library, library_of
 from sdfcheck.files.packages import Packages, is_of_ros_2
 from sdfcheck.files.regular import read_regular
-from sdfcheck.formats.near_names import nearest
+from sdfcheck.formats.near_names import nearest, suggest_in
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.srdf import naming, references, srdf
 from sdfcheck.robot.naming.occurrences import Occurrence, Symbol, steps
@@ -440,6 +440,15 @@ class Semantics:
                 value = part.attribute(name)
                 if value is None or (name == "parent_frame" and not value.text):
                     yield part, name
+
+    @property
+    def misspelled(self) -> Iterator[tuple[Element, str]]:
+        """The elements that srdfdom does not read, each with the name of one that it would read there."""
+        for holder, definition in self.parts:
+            for each in holder.children():
+                is_foreign = each.name not in definition.children and ":" not in each.name
+                if is_foreign and (near := suggest_in(self.document, each.name, definition.children)):
+                    yield each, near
 
     @lazy
     def references(self) -> tuple[NamedPart, ...]:

@@ -17,7 +17,7 @@ from sdfcheck.formats.findings import (
     judge,
     text_problems,
 )
-from sdfcheck.formats.near_names import suggest, without_unit
+from sdfcheck.formats.near_names import suggest, with_another_word, without_unit
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.sdf.values import read_at
@@ -251,6 +251,7 @@ class SdfFindings(Findings):
                 groups.append(_Misplaced(found, place))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
+            suggestion = suggestion or with_another_word(name, place.children)
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
 
     def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:

@@ -63,12 +63,16 @@ class UrdfSurvey:
 
     @property
     def empty_names(self) -> Iterator[EmptyName]:
-        """The names of the robot, its links, joints and materials that are empty or blank."""
+        """The names of the robot, its links, joints, materials and shapes that are empty or blank."""
         tops = [self.root, *(element for kind in _NAMED for element in self.top(kind))]
         for element in filter(None, tops):
             name = element.attribute("name")
             if name is not None and not name.text.strip():
                 yield EmptyName(name)
+        for kind in ("visual", "collision"):
+            found = [element.attribute("name") for element in self.index.get(kind, ())]
+            if blank := [name for name in found if name is not None and not name.text.strip()]:
+                yield EmptyName(blank[0], shapes=len(blank))
 
 
 def survey(document: Document) -> UrdfSurvey:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from sdfcheck.formats.near_names import distance, suggest, without_unit
+from sdfcheck.formats.near_names import distance, suggest, with_another_word, without_unit
 
 
 @pytest.mark.parametrize(
@@ -23,6 +23,10 @@ from sdfcheck.formats.near_names import distance, suggest, without_unit
         ("xz", ["x", "z"], None),
         ("far", ["fdir1", "near"], None),
         ("wheel", ["link", "joint"], None),
+        ("m_f_rate", ["frame"], None),
+        ("hvisuol", ["visual"], None),
+        ("vsuall", ["visual"], "visual"),
+        ("orlision", ["collision"], "collision"),
         ("", ["link"], None),
         ("link", [], None),
     ],
@@ -52,3 +56,11 @@ def test_distance(one: str, other: str, edits: int) -> None:
 )
 def test_a_unit_of_the_format_behind_a_name(name: str, expected: str | None) -> None:
     assert without_unit(name, {"mass", "pose"}) == expected
+
+
+def test_a_word_that_is_left_out() -> None:
+    names = ["bias_mean", "dynamic_bias_stddev", "dynamic_bias_correlation_time"]
+    assert with_another_word("bias_correlation_time", names) == "dynamic_bias_correlation_time"
+    assert with_another_word("time", names) is None
+    assert with_another_word("correlation_time", names) is None
+    assert with_another_word("a_b", ["c_a_b", "d_a_b"]) is None

@@ -209,6 +209,40 @@ def test_an_error_of_another_argument_is_a_warning_that_names_it(tmp_path: Path,
     assert any(d.code == "JNT001" and d.severity is Severity.ERROR for d in whole)
 
 
+def test_an_argument_may_leave_out_the_whole_robot(tmp_path: Path, expander: Expander) -> None:
+    switched = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="body" default="true"/>'
+        '<xacro:if value="$(arg body)"><link name="a"/></xacro:if>{}</robot>'
+    )
+    joint = '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint><link name="b"/>'
+    found = lint(expander, tmp_path / "r.urdf.xacro", switched.format(joint))
+    assert any(each.message.endswith("(with `body:=false`)") for each in found)
+    found = lint(expander, tmp_path / "r.urdf.xacro", switched.format(""))
+    assert not any(":=" in each.message for each in found)
+
+
+def test_a_branch_in_a_branch_is_reached_with_both_arguments(
+    tmp_path: Path, expander: Expander, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "package.xml").write_text("<package><name>arm</name></package>")
+    (tmp_path / "simulated.xacro").write_text(
+        '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:if value="$(arg camera)">'
+        '<gazebo reference="base"><sensor name="c" type="camera"><clip><near>1</near></clip></sensor></gazebo>'
+        "</xacro:if></robot>"
+    )
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="camera" default="false"/>'
+        '<xacro:arg name="simulated" default="false"/><xacro:arg name="lamp" default="false"/><link name="base"/>'
+        '<xacro:if value="$(arg simulated)"><xacro:include filename="$(find arm)/simulated.xacro"/></xacro:if></robot>'
+    )
+    found = lint(expander, Path("r.urdf.xacro"), text)
+    (clip,) = (each for each in found if each.code == "SCH003")
+    assert clip.span.source.path.name == "simulated.xacro"
+    assert clip.severity is Severity.WARNING
+    assert clip.message.endswith("(with `camera:=true` and `simulated:=true`)")
+
+
 def test_branches_that_exclude_one_another_are_tried_one_by_one(tmp_path: Path, expander: Expander) -> None:
     switch = '<xacro:if value="$(arg {})"><link name="{}"/></xacro:if>'
     text = (

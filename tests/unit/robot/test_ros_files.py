@@ -160,7 +160,10 @@ def bases(folder: Path, files: dict[str, str], robot: str = WHEELED) -> list[tup
         (AMCL.format('"base_footprint"  # on the floor'), "amcl"),
         ("robot1:\n" + "".join(f"  {line}\n" for line in AMCL.format("base_footprint").splitlines()), "amcl"),
         ("robot_base_frame: base_footprint\n", ""),
-        ("local_costmap:\n  local_costmap:\n    ros__parameters:\n      robot_base_frame: base_footprint\n", "local_costmap"),
+        (
+            "local_costmap:\n  local_costmap:\n    ros__parameters:\n      robot_base_frame: base_footprint\n",
+            "local_costmap",
+        ),
         ("ekf_node:\n  ros__parameters:\n    odom_frame: odom\n    base_link_frame: base_footprint\n", "ekf_node"),
     ],
 )  # fmt: skip
@@ -178,7 +181,10 @@ def test_nodes_take_frames_for_the_base(text: str, node: str, tmp_path: Path) ->
         {"p.yaml": AMCL.format("base_footprint").replace("amcl", "wheel_controller")},
         {"p.yaml": "# robot_base_frame: base_footprint\n"},
         {"p.yaml": AMCL.format("base_footprint"), "launch/tf.py": "['base_link', 'base_footprint']\n"},
-        {"p.yaml": AMCL.format("base_footprint"), "other.urdf": '<robot name="o"><link name="base_footprint"/></robot>'},
+        {
+            "p.yaml": AMCL.format("base_footprint"),
+            "other.urdf": '<robot name="o"><link name="base_footprint"/></robot>',
+        },
         {"p.yaml": AMCL.format("base_footprint"), "src/odometry.cpp": 'frame = "base_footprint";'},
         {"p.yaml": "[" * 50_000 + "\nrobot_base_frame: base_footprint\n"},
         {"p.yaml": "a: &a {robot_base_frame: *a}\n"},

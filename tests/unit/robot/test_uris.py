@@ -73,6 +73,24 @@ def test_a_model_of_another_package_of_the_project_is_found_the_nearest_first(tm
     assert locate(world, "model://lamp/lamp.sdf").path is None, "without model.config it is a folder only"
 
 
+def test_a_package_is_a_model_of_its_name(tmp_path: Path) -> None:
+    package = "<package><name>{}</name></package>"
+    write(
+        tmp_path,
+        {
+            "package.xml": package.format("worlds"),
+            "worlds/main.sdf": MODEL,
+            "deep/source/package.xml": package.format("arm"),
+            "deep/source/mesh.dae": "",
+            "deep/lamp/mesh.dae": "",
+        },
+    )
+    document = opened(tmp_path / "worlds/main.sdf")
+    assert locate(document, "model://arm/mesh.dae").path == tmp_path / "deep/source/mesh.dae"
+    assert locate(document, "model://arm/other.dae").owner == tmp_path / "deep/source"
+    assert locate(document, "model://lamp/mesh.dae").owner is None
+
+
 def test_a_python_package_has_its_files_beside_its_modules(tmp_path: Path) -> None:
     package = {
         "work/package.xml": "<package><name>hand</name></package>",

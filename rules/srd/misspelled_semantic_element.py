@@ -1,0 +1,60 @@
+from collections.abc import Iterator
+
+from sdfcheck import Bad, Diagnostic, Element, Good, Rule, Semantics, Severity, rename, used
+from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
+
+PAIR = '<disable_collision{} link1="base" link2="{}"/>'
+
+
+class MisspelledSemanticElement(Rule):
+    """An element of SRDF has nearly the name of one that MoveIt reads.
+
+    MoveIt ignores names that it does not know, and says nothing. Pairs whose collisions were to be left out are then
+    checked: links beside each other collide in each state, and no plan is found.
+    """
+
+    code = "SRD014"
+    name = "misspelled-semantic-element"
+    severity = Severity.ERROR
+    remedy = """Write the name as MoveIt reads it.
+
+    It reads `group`, `group_state`, `end_effector`, `virtual_joint`, `passive_joint`, `joint_property`,
+    `disable_collisions`, `enable_collisions`, `disable_default_collisions` and `link_sphere_approximation`.
+    """
+    looks_at = (Semantics,)
+    scaffold = IN_SRDF
+
+    bad = (
+        Bad(
+            PAIR.format("", "upper").replace("<d", "<«d").replace("n l", "n» l") + PAIR.format("", "hand"),
+            fixed=PAIR.format("s", "upper") + PAIR.format("s", "hand"),
+            unsafe=True,
+            file=FILE,
+            says="element `disable_collision` in MoveIt (used 2 times); did you mean `disable_collisions`?",
+        ),
+        Bad(
+            '<«groupstate» name="home" group="all"><joint name="shoulder" value="0"/></groupstate>',
+            fixed='<group_state name="home" group="all"><joint name="shoulder" value="0"/></group_state>',
+            unsafe=True,
+            file=FILE,
+            says="did you mean `group_state`?",
+        ),
+    )
+    good = (
+        Good(PAIR.format("s", "upper"), file=FILE),
+        Good(
+            '<rotor_params><joint name="shoulder" mass="1"/></rotor_params>', file=FILE, why="Pinocchio's own"
+        ),
+    )
+
+    @staticmethod
+    def applies(semantics: Semantics) -> bool:
+        return any(True for _ in semantics.misspelled)
+
+    def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
+        by_name: dict[tuple[str, str], list[Element]] = {}
+        for element, near in semantics.misspelled:
+            by_name.setdefault((element.name, near), []).append(element)
+        for (name, near), uses in by_name.items():
+            message = f"there is no element `{name}` in MoveIt{used(len(uses))}"
+            yield self.diagnostic(uses[0], message, meant=near, fix=rename(near, *uses))
