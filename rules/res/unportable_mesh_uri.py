@@ -12,6 +12,7 @@ from sdfcheck import (
     Root,
     Rule,
     Severity,
+    accepts,
     used,
 )
 from sdfcheck_rules.res.absences import looking_for
@@ -19,6 +20,8 @@ from sdfcheck_rules.res.absences import looking_for
 RELATIVE = ""
 MODEL = "model"
 PLAIN = "/"
+BY_FOLDER = (Consumer.DRAKE, Consumer.MUJOCO)
+"""Consumers that look for a relative path from the folder of the robot alone."""
 WORDS = {RELATIVE: "a relative path", MODEL: "`model://`", PLAIN: "a path without `file://`"}
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
@@ -81,8 +84,9 @@ class UnportableMeshUri(Rule):
                 far = list(filter(is_elsewhere, uses)) if kind == RELATIVE else []
                 if far:
                     message += ", and leads to no file from the folder of the robot"
-                readers = {each for use in far for each in looking_for(use)} - {Consumer.PYBULLET}
-                yield self.diagnostic(uses[0].uri_value, message, affects=dict.fromkeys(readers, REFUSES))
+                readers = {each for use in far for each in looking_for(use)}
+                affects = {each: REFUSES if each in readers else accepts("finds it") for each in BY_FOLDER}
+                yield self.diagnostic(uses[0].uri_value, message, affects=affects)
 
 
 def is_elsewhere(resource: Resource) -> bool:
