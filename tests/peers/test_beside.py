@@ -159,7 +159,7 @@ def test_the_cursor_marks_its_part(beside: Beside) -> None:
 
 
 def test_findings_are_marked_on_their_bodies(beside: Beside) -> None:
-    assert "base" in beside.run("viewer.findingMarks()")
+    beside.waited("viewer.findingMarks().includes('base')")
     beside.editor.shown.clear()
     beside.tab.page.click("button.entry.error:has-text('mass')")
     waited(lambda: beside.editor.shown)
