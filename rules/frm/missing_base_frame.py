@@ -39,8 +39,8 @@ class MissingBaseFrame(Rule):
         Bad(
             WRONG,
             files={"params.yaml": MAPPER},
-            says="`slam_toolbox` in `params.yaml` takes `base_footprint` for the base, and no link of robot `r` is "
-            "called so: its root is `base_link`",
+            says="`slam_toolbox` in `params.yaml` takes `base_footprint` for the base, a link that robot `r` does "
+            "not have: its root is `base_link`",
         ),
     )
     good = (
@@ -66,7 +66,7 @@ class MissingBaseFrame(Rule):
             files = named(dict.fromkeys(frame.span.source.path.name for frame in frames))
             takes = "takes" if nodes.count("`") == 2 else "take"
             message = (
-                f"{nodes} in {files} {takes} `{name}` for the base, and no link of {robot.title} is called so"
+                f"{nodes} in {files} {takes} `{name}` for the base, a link that {robot.title} does not have"
             )
             yield self.diagnostic(
                 top, f"{message}: its root is `{top.name}`", labels={frames[0].span: "taken here"}

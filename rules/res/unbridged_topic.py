@@ -6,8 +6,6 @@ SENSOR = '<sensor name="imu" type="imu">{}</sensor>'
 ROBOT = '<robot name="r"><link name="a"/><gazebo reference="a">{}</gazebo></robot>'
 DRIVE = '<{} filename="gz-sim-velocity-control-system" name="gz::sim::systems::VelocityControl">{}</plugin>'
 IN_ROBOT = '<robot name="r"><link name="a"/><gazebo>{}</gazebo></robot>'
-COMMANDS = ("Double", "Twist")
-"""Messages that go to Gazebo; all others come from there."""
 IMU = "gz_topic_name: /imu/data, gz_type_name: gz.msgs.IMU"
 MADE = "gz_topic_name: world/w/model/r/link/{}/sensor/imu/imu, gz_type_name: gz.msgs.IMU"
 LAUNCH = (
@@ -99,12 +97,15 @@ class UnbridgedTopic(Rule):
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for gap in root.bridge_gaps:
-            is_command = gap.message in COMMANDS
-            verb = "listens to" if is_command else "publishes on"
+            verb = "listens to" if gap.is_command else "publishes on"
             own = f"{verb} `{gap.topic}`" if gap.topic else f"has no `<{gap.parameter}>`"
             if gap.names:
                 own = f"publishes on a topic with `{gap.names}`"
-            end = "to Gazebo, to which nobody listens" if is_command else "to ROS, on which nobody publishes"
+            end = (
+                "to Gazebo, to which nobody listens"
+                if gap.is_command
+                else "to ROS, on which nobody publishes"
+            )
             file, topic = gap.bridged.span.source.path.name, gap.bridged.topic
             message = f"{gap.part.title} {own}, and `{file}` takes `{topic}` {end}"
             yield self.diagnostic(gap.value or gap.part, message, labels={gap.bridged.span: "taken here"})

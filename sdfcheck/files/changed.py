@@ -28,7 +28,7 @@ _YAML = (".yaml", ".yml")
 """SRDF is read with files of these beside it."""
 _LAUNCH = re.compile(r"(launch\.py|/launch/[^/]+\.py|\.launch(\.xml)?)$", re.IGNORECASE)
 """Files that may give arguments to every robot of a repository."""
-_TIED = re.compile(r"\b(?:gz|ign)_type_name\b|\w*base_(?:link_)?frame\w*\s*:")
+_TIED = re.compile(r"(?:gz|ign)_type_name|base_(?:link_)?frame")
 """Words of YAML that may be about every robot: topics of bridges, and frames of bases."""
 
 

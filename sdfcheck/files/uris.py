@@ -10,11 +10,12 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from sdfcheck.files.library import Disk, folders_above, library_of
 from sdfcheck.files.packages import TEMPLATE, package_around
-from sdfcheck.files.regular import MEGABYTE, is_below, names_in, read_regular
+from sdfcheck.files.regular import MEGABYTE, is_below, names_in
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 
@@ -246,31 +247,24 @@ def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[
 
 
 _MOST_LIKE = 20
+_BUILDS = ("CMakeLists.txt", "setup.py")
 
 
 def substitute(document: Document, path: str) -> str | None:
     """A file of the same name, from its package on, for one in a package that is not there; empty without one.
 
-    None where the file is there or made by a build, and where its package is not known.
+    None where the file is there or made by a build, and where its package is not known or steps lead out of it.
     """
     library = library_of(document)
-    around = package_around(path) if os.path.isabs(path) else None
+    is_plain = os.path.isabs(path) and os.pardir not in path.split("/")
+    around = package_around(path) if is_plain else None
     if library is None or around is None or any(os.path.exists(each) for each in (path, path + TEMPLATE)):
         return None
     package, name = around[0], os.path.basename(path)
-    if any(name in _build(os.path.join(package, file)) for file in _BUILDS):
-        return None
-    found = library.packages(Path(path)).files(name, _MOST_LIKE)
+    for build in _BUILDS:
+        with suppress(OSError):
+            if name in library.read(Path(package, build), document, MEGABYTE).decode("utf-8", "replace"):
+                return None
+    found = library.packages(document.path).files(name, _MOST_LIKE)
     alike = (str(each) for each in found if each.name == name and is_below(str(each), (package,)))
     return next((Path(each).relative_to(package).as_posix() for each in alike), "")
-
-
-_BUILDS = ("CMakeLists.txt", "setup.py")
-
-
-def _build(path: str) -> str:
-    """The text of a file that says how to build a package; empty without one."""
-    try:
-        return read_regular(Path(path), MEGABYTE).decode("utf-8", "replace")
-    except OSError:
-        return ""

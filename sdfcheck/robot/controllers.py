@@ -19,13 +19,13 @@ from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 
-_LARGEST = 64 * 1024
+LARGEST = 64 * 1024
 """Bytes of a file of parameters that is read: yaml takes a second for so many."""
-_UNKNOWN = re.compile(r"[${}<>%]|^$")
+UNKNOWN = re.compile(r"[${}<>%]|^$")
 """A name with one of these is made later."""
 
 _MANAGER = "controller_manager"
-_PARAMETERS = "ros__parameters"
+PARAMETERS = "ros__parameters"
 _DEEPEST = 4
 """So deep are the names of nodes, with those of namespaces around them."""
 _MOST = 10_000
@@ -216,21 +216,39 @@ class ControllerFile(NamedTuple):
 _NOTHING = ControllerFile()
 
 
+_MOST_PARSED = 4
+"""So many files are parsed for a document."""
+
+
+class _Parsed:
+    """The files of parameters that a document names, by their paths."""
+
+    def __init__(self, document: Document) -> None:
+        self._document = document
+        self._known: dict[str, ControllerFile] = {}
+
+    def at(self, path: str) -> ControllerFile:
+        if path not in self._known and len(self._known) < _MOST_PARSED:
+            self._known[path] = self._read(path)
+        return self._known.get(path, _NOTHING)
+
+    def _read(self, path: str) -> ControllerFile:
+        library = library_of(self._document)
+        try:
+            data = library.read(Path(path), self._document, LARGEST) if library is not None else b""
+            return _controllers(Source(Path(path), data.decode("utf-8-sig"), is_foreign=True))
+        except (OSError, UnicodeDecodeError):
+            return _NOTHING
+
+
 def controllers_in(document: Document, address: str) -> ControllerFile:
     """The controllers of a file that a description names; none where it cannot be read as one of parameters."""
-    library = library_of(document)
-    if library is None or not address.endswith((".yaml", ".yml")) or "$" in address:
+    if library_of(document) is None or not address.endswith((".yaml", ".yml")) or "$" in address:
         return _NOTHING
     from sdfcheck.files.uris import locate
 
     path = locate(document, address).path
-    if path is None:
-        return _NOTHING
-    try:
-        text = library.read(path, document, _LARGEST).decode("utf-8-sig")
-    except (OSError, UnicodeDecodeError):
-        return _NOTHING
-    return _controllers(Source(Path(path), text, is_foreign=True))
+    return _NOTHING if path is None else document.view(_Parsed).at(str(path))
 
 
 def _controllers(source: Source) -> ControllerFile:
@@ -339,7 +357,7 @@ def _carried(source: Source, name: str, kind: Kind, parameters: Any) -> Paramete
 def _miscounted(source: Source, name: str, declared: Sequence[Any], parameters: Any) -> Iterator[Miscounted]:
     """The joints of a drive, where they are not as many as it takes."""
     kind = _kind(declared)
-    if any(_UNKNOWN.search(each.value) for _, node in _flat(parameters, "", 0) for each in _scalars(node)):
+    if any(UNKNOWN.search(each.value) for _, node in _flat(parameters, "", 0) for each in _scalars(node)):
         return
     if kind is _DRIVE:
         lefts, rights = (_written(source, parameters, each) for each in _DRIVE.joints)
@@ -421,7 +439,7 @@ def _type(node: Any) -> str:
     if node.id != "scalar":
         return "list" if node.id == "sequence" else ""
     text = node.value
-    if _UNKNOWN.search(text) or node.tag.endswith((":null", ":timestamp")):
+    if UNKNOWN.search(text) or node.tag.endswith((":null", ":timestamp")):
         return ""
     if node.style is not None:
         return "text"
@@ -584,7 +602,7 @@ def _nodes(
 ) -> Iterator[tuple[str, Any]]:
     """The names of nodes of ROS, each with its place and its parameters; ``seen``: where an alias would lead again."""
     for key, value in _keys(mapping):
-        if key.value == _PARAMETERS and place is not None:
+        if key.value == PARAMETERS and place is not None:
             yield name.strip("/"), (place, value)
         elif depth < _DEEPEST and id(value) not in seen:
             seen.add(id(value))
@@ -613,7 +631,7 @@ def _is(mapping: Any, name: str, text: str) -> bool:
 
 def _texts(node: Any) -> list[Any]:
     """The scalar that a node is, or those in its list, without what is made later."""
-    return [each for each in _scalars(node) if not _UNKNOWN.search(each.value)]
+    return [each for each in _scalars(node) if not UNKNOWN.search(each.value)]
 
 
 def _scalars(node: Any) -> list[Any]:

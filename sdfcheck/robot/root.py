@@ -319,7 +319,9 @@ class Root(Whole):
     def missing_bases(self) -> tuple[BaseFrame, ...]:
         """The frames that nodes of ROS take for the base of a robot of URDF on wheels, and that its project lacks."""
         robot = self.models[0] if self.is_urdf and self.models else None
-        if robot is None or not robot.is_complete or not any(map(_is_wheel, robot.joints)):
+        if robot is None or not robot.is_complete or not robot.tree.roots:
+            return ()
+        if not any(map(_is_wheel, robot.joints)):
             return ()
         from sdfcheck.robot.ros_files import missing_bases
 

@@ -17,41 +17,44 @@ from typing import Any
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import Packages
 from sdfcheck.files.regular import read_regular
-from sdfcheck.robot.controllers import composed, pairs, span_of
+from sdfcheck.robot.controllers import LARGEST, PARAMETERS, UNKNOWN, composed, pairs, span_of
 from sdfcheck.robot.graph import Plugin, Sensor
+from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 from sdfcheck.xacro.language import syntax_tree
 from sdfcheck.xacro.static.launches import launch_texts
 
-_LARGEST = 64 * 1024
-"""Bytes of a file of YAML that is read."""
 _MOST_FILES = 300
 """So many files of each kind are looked through, and so many of them with a bridge are read."""
 _MOST_SAID = 256 * 1024
 """Bytes of a description of which the topics are known."""
+_MOST_TEXT = 16 * 1024 * 1024
+"""Bytes of descriptions and programs of a project that are searched for names; in more anything may be named."""
+_MOST_PARSED = 256 * 1024
+"""Bytes of YAML, and of launch files, that are parsed for a project; in more anything may be carried."""
 _MOST_CARRIED = 1000
 _DEEPEST = 8
 _MOST_MERGED = 100
 _KEYS = ("gz_topic_name", "ign_topic_name")
 _TYPES = ("gz_type_name", "ign_type_name")
-_UNKNOWN = re.compile(r"[${}<>%]|^$")
 _ARGUMENT = re.compile(r"([^\s@{}$\"'<>%]{1,300})@[\w/]{1,200}([@\[\]])(?:gz|ignition)\.msgs\.(\w+)")
 """An argument of ``parameter_bridge``: topic, type in ROS, direction, type in Gazebo."""
 _TYPE = re.compile(r"[@\[\]](?:gz|ignition)\.msgs\.(\w+)")
 _REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
 _ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
 """A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
+_NAME = re.compile(r"\w+")
 _WORD = re.compile(r"[a-z]+|\d+")
 _SAID = re.compile(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
 _MOST_TOPICS = 5_000
 """A description with more texts like topics may have any."""
 _DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
 
-_PARAMETERS = "ros__parameters"
 _BASE = re.compile(
-    r"^\s*(?:robot_base_frame|base_frame_id|base_frame|base_link_frame)\s*:\s*[\"']?([A-Za-z]\w{0,99})\b[\"']?\s*(?:#.*)?$",
+    r"^[ \t]*(?:robot_base_frame|base_frame_id|base_frame|base_link_frame)[ \t]*:[ \t]*"
+    r"[\"']?([A-Za-z]\w{0,99})\b[\"']?[ \t]*(?:#.*)?$",
     re.MULTILINE,
 )
 _NODE_OF = {"base_frame_id": "amcl", "base_frame": "slam_toolbox"}
@@ -142,6 +145,11 @@ class BridgeGap(NamedTuple):
     names: str
     """Those of link and sensor in a topic that Gazebo makes of them, where a bridge has others; else empty."""
 
+    @property
+    def is_command(self) -> bool:
+        """Do its messages go to Gazebo?"""
+        return self.message in _COMMANDS
+
 
 def _words(text: str) -> Set[str]:
     return frozenset(_WORD.findall(text.lower()))
@@ -155,25 +163,36 @@ def _is_made(topic: str) -> bool:
 class _Bridges:
     """The topics that the bridges of a project carry."""
 
-    __slots__ = ("_packages", "_said", "carried", "unknown")
+    __slots__ = ("_is_open", "_packages", "_said", "carried", "unknown")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._said: dict[Path, tuple[frozenset[str], bool]] | None = None
+        self._is_open = False
         self.carried: list[Bridged] = []
         self.unknown: set[str] = set()
         """Types of messages that are carried on topics which are not known; empty text: all types."""
-        for path, text in launch_texts(packages):
-            if ".msgs." in text or "_bridge" in text:
-                self._take(list(_of_launch(Source(path, text, is_foreign=True), self.unknown)))
-        for path in _files(packages, (".yaml", ".yml")):
-            text = _text(path, _LARGEST)
-            if any(key in text for key in _TYPES):
-                self._take(list(_of_yaml(Source(path, text, is_foreign=True))))
+        launches = (each for each in launch_texts(packages) if ".msgs." in each[1] or "_bridge" in each[1])
+        for path, text in self._within(launches):
+            self._take(list(_of_launch(Source(path, text, is_foreign=True), self.unknown)))
+        files = ((path, _text(path, LARGEST)) for path in _files(packages, (".yaml", ".yml")))
+        entries = ((path, text) for path, text in files if any(key in text for key in _TYPES))
+        for path, text in self._within(entries):
+            self._take(list(_of_yaml(Source(path, text, is_foreign=True))))
+
+    def _within(self, texts: Iterable[tuple[Path, str]]) -> Iterator[tuple[Path, str]]:
+        """The first texts, as far as they may be parsed; with more of them all types are unknown."""
+        left = _MOST_PARSED
+        for path, text in texts:
+            left -= len(text)
+            if left < 0:
+                self.unknown.add("")
+                return
+            yield path, text
 
     def _take(self, found: Iterable[Bridged]) -> None:
         for each in found:
-            if _UNKNOWN.search(each.topic):
+            if UNKNOWN.search(each.topic):
                 self.unknown.add(each.message)
             elif len(self.carried) < _MOST_CARRIED:
                 self.carried.append(each)
@@ -181,9 +200,11 @@ class _Bridges:
     def is_said(self, topic: str, own: set[Path]) -> bool:
         """May another description of the project publish on a topic, or listen to it?"""
         if self._said is None:
-            self._said = {
-                path: _topics(_text(path, _MOST_SAID)) for path in _files(self._packages, _DESCRIPTIONS)
-            }
+            texts = _texts(self._packages, _DESCRIPTIONS)
+            self._said = {} if texts is None else {path: _topics(text) for path, text in texts.items()}
+            self._is_open = texts is None
+        if self._is_open:
+            return True
         names = topic.split("/")
         around = {"/".join(names[:count]) for count in range(1, len(names))}
         return any(
@@ -202,6 +223,18 @@ def _text(path: Path, most: int) -> str:
         return read_regular(path, most).decode("utf-8-sig", "replace")
     except OSError:
         return ""
+
+
+def _texts(packages: Packages, suffixes: Iterable[str]) -> dict[Path, str] | None:
+    """The texts of the files of some suffixes; None where there is too much of them."""
+    found: dict[Path, str] = {}
+    left = _MOST_TEXT
+    for path in _files(packages, suffixes):
+        found[path] = _text(path, _MOST_SAID)
+        left -= len(found[path])
+        if left < 0:
+            return None
+    return found
 
 
 def _topics(text: str) -> tuple[frozenset[str], bool]:
@@ -367,7 +400,7 @@ def _of_sensors(sensors: Iterable[Sensor]) -> Iterator[_End]:
         if follow is None or sensor.plugins:
             continue
         value, topic = sensor.value("topic"), sensor.topic.strip("/ ")
-        is_known = value is None or not _UNKNOWN.search(value.span.text.strip("/ "))
+        is_known = value is None or not UNKNOWN.search(value.span.text.strip("/ "))
         topics = {message: tuple(_joined(topic, end) for end in ends) for message, ends in follow.items()}
         camera = sensor.find("camera")
         info = camera.find("camera_info_topic") if camera is not None and sensor.type == "camera" else None
@@ -405,7 +438,7 @@ def _of_systems(plugins: Iterable[Plugin]) -> Iterator[_End]:
         for parameter, message, end in rows:
             value = plugin.value(parameter)
             topic = "" if value is None else value.text.strip("/ ")
-            is_known = value is None or not _UNKNOWN.search(value.span.text.strip("/ "))
+            is_known = value is None or not UNKNOWN.search(value.span.text.strip("/ "))
             topics = {message: (topic,)} if topic else {}
             yield _End(
                 plugin, topics if is_known else None, "" if topic else f"{end}/", (message,), parameter, value
@@ -416,7 +449,7 @@ def _of_systems(plugins: Iterable[Plugin]) -> Iterator[_End]:
 
 
 class BaseFrame(NamedTuple):
-    """A frame that a node of ROS takes for the base of the robot."""
+    """A frame that a node of ROS takes for the base of the robot; a parameter of no node is named itself."""
 
     node: str
     name: str
@@ -426,28 +459,29 @@ class BaseFrame(NamedTuple):
 class _Frames:
     """The frames that nodes of a project take for the bases of its robots, and the names in its other files."""
 
-    __slots__ = ("_named", "_packages", "_sources", "names")
-
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
-        self._named: dict[str, bool] = {}
-        texts = ((path, _text(path, _LARGEST)) for path in _files(packages, (".yaml", ".yml")))
-        self._sources = [Source(path, text, is_foreign=True) for path, text in texts if _BASE.search(text)]
+        self._named: Set[str] | None = None
+        self._sources: list[Source] = []
+        left = _MOST_PARSED
+        for path in _files(packages, (".yaml", ".yml")):
+            text = _text(path, LARGEST)
+            if _BASE.search(text) and (left := left - len(text)) >= 0:
+                self._sources.append(Source(path, text, is_foreign=True))
         self.names = frozenset(name for source in self._sources for name in _BASE.findall(source.text))
 
-    def of(self, name: str) -> Iterator[BaseFrame]:
-        """The places at which nodes give a frame."""
-        for source in self._sources:
-            if name in source.text:
-                yield from (each for each in _bases(source) if each.name == name)
+    @lazy
+    def given(self) -> tuple[BaseFrame, ...]:
+        """The frames that nodes give, by all files."""
+        return tuple(each for source in self._sources for each in _bases(source))
 
     def is_named(self, name: str) -> bool:
         """Does a description, launch file or program of the project have a name?"""
-        if name not in self._named:
-            word = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
-            files = _files(self._packages, (*_DESCRIPTIONS, *_PROGRAMS))
-            self._named[name] = any(word.search(_text(path, _MOST_SAID)) for path in files)
-        return self._named[name]
+        if self._named is None:
+            texts = _texts(self._packages, (*_DESCRIPTIONS, *_PROGRAMS))
+            found = (self.names.intersection(_NAME.findall(text)) for text in (texts or {}).values())
+            self._named = self.names if texts is None else frozenset().union(*found)
+        return name in self._named
 
 
 def _bases(source: Source) -> Iterator[BaseFrame]:
@@ -460,12 +494,12 @@ def _bases(source: Source) -> Iterator[BaseFrame]:
             continue
         seen.add(id(mapping))
         given = dict(pairs(mapping))
-        waiting += [(node if name == _PARAMETERS else name, value) for name, value in given.items()]
+        waiting += [(node if name == PARAMETERS else name, value) for name, value in given.items()]
         for name in ("robot_base_frame", *_NODE_OF, *_BESIDE):
             value = given.get(name)
             is_meant = node.startswith(_NODE_OF.get(name, "")) and _BESIDE.get(name, name) in given
             if value is not None and value.id == "scalar" and is_meant:
-                yield BaseFrame(node, value.value, span_of(source, value))
+                yield BaseFrame(node or name, value.value, span_of(source, value))
 
 
 def missing_bases(document: Document, links: Collection[str]) -> Iterator[BaseFrame]:
@@ -476,5 +510,5 @@ def missing_bases(document: Document, links: Collection[str]) -> Iterator[BaseFr
     frames = library.of_project(document.path, _Frames)
     for name in sorted(frames.names.difference(links)):
         is_prefixed = any(name.endswith(link) for link in links)
-        if not is_prefixed and (found := list(frames.of(name))) and not frames.is_named(name):
-            yield from found
+        if not is_prefixed and not frames.is_named(name):
+            yield from (each for each in frames.given if each.name == name)

@@ -41,8 +41,6 @@ _MOST_LINKS_OF_GROUPS = 10_000_000
 _COUNTS = {"revolute": 1, "continuous": 1, "prismatic": 1, "planar": 3, "floating": 7}
 
 
-_LARGEST_PARAMETERS = 64 * 1024
-"""Bytes of a file of parameters that is read."""
 _CLOSE = 1e-3
 """So far apart (rad or m), a joint and its place are the same."""
 _IN = 0.1
@@ -193,12 +191,12 @@ class Semantics:
     @lazy
     def parameters(self) -> MoveItFiles:
         """The content of the files of MoveIt's parameters beside it."""
-        from sdfcheck.robot.controllers import MoveItFiles, moveit_files
+        from sdfcheck.robot.controllers import LARGEST, MoveItFiles, moveit_files
 
         texts = {}
         for name, path in self.beside.items():
             try:
-                text = read_regular(path, _LARGEST_PARAMETERS).decode("utf-8-sig")
+                text = read_regular(path, LARGEST).decode("utf-8-sig")
             except (OSError, UnicodeDecodeError):
                 continue
             texts[name] = Source(path, text, is_foreign=True)

@@ -261,3 +261,35 @@ def test_names_in_files_of_moveit(files: dict[str, str], expected: list[str], tm
     found = sdfcheck.lint([tmp_path / "r.srdf"], isolated=True, select=["SRD015"]).diagnostics
     assert len(found) == len(expected)
     assert all(words in each.message for words, each in zip(expected, found, strict=True))
+
+
+def test_many_plugins_take_no_time(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>r</name></package>")
+    plugin = '<plugin filename="gz_ros2_control-system" name="p"><parameters>{}.yaml</parameters></plugin>'
+    for number in range(50):
+        (tmp_path / f"{number}.yaml").write_text("x: 1\n" * 10_000)
+    plugins = f"<gazebo>{''.join(plugin.format(number % 50) for number in range(300))}</gazebo>"
+    (tmp_path / "r.urdf").write_text(ROBOT.format("c.yaml").replace("</robot>", f"{plugins}</robot>"))
+    begin = time.process_time()
+    sdfcheck.load(tmp_path / "r.urdf").model(0).controller_needs  # noqa: B018 - it is what reads them
+    assert time.process_time() - begin < 5
+
+
+def test_steps_out_of_a_package_are_not_followed(tmp_path: Path) -> None:
+    for name in ("r", "other"):
+        (tmp_path / name / "config").mkdir(parents=True)
+        (tmp_path / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+        (tmp_path / name / "config" / "c.yaml").write_text("x: 1\n")
+    (tmp_path / "r" / ".git").mkdir()
+    file = tmp_path / "r" / "r.urdf.xacro"
+    for address, near in (
+        ("$(find r)/cofing/c.yaml", "config/c.yaml"),
+        ("$(find r)/../other/cofing/c.yaml", None),
+    ):
+        robot = ROBOT.format(address).replace(
+            "<robot ", '<robot xmlns:xacro="http://www.ros.org/wiki/xacro" '
+        )
+        file.write_text(robot)
+        (plugin,) = sdfcheck.load(file).model(0).plugins
+        missing = plugin.missing_parameters_file
+        assert (missing[1] if missing else None) == near

@@ -159,7 +159,7 @@ def bases(folder: Path, files: dict[str, str], robot: str = WHEELED) -> list[tup
         (AMCL.format("base_footprint"), "amcl"),
         (AMCL.format('"base_footprint"  # on the floor'), "amcl"),
         ("robot1:\n" + "".join(f"  {line}\n" for line in AMCL.format("base_footprint").splitlines()), "amcl"),
-        ("robot_base_frame: base_footprint\n", ""),
+        ("robot_base_frame: base_footprint\n", "robot_base_frame"),
         (
             "local_costmap:\n  local_costmap:\n    ros__parameters:\n      robot_base_frame: base_footprint\n",
             "local_costmap",
@@ -192,6 +192,34 @@ def test_nodes_take_frames_for_the_base(text: str, node: str, tmp_path: Path) ->
 )  # fmt: skip
 def test_a_frame_that_may_be_there_is_not_reported(files: dict[str, str], tmp_path: Path) -> None:
     assert bases(tmp_path, files) == []
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"p.yaml": "\n" * 64_000 + "robot_base_frame: base_footprint\n"},
+        {f"{number}.yaml": f"robot_base_frame: b{number}\n" * 2_000 for number in range(200)},
+        {f"{number}.yaml": ENTRY.format("other") * 500 for number in range(100)},
+        {f"{number}.py": "x" * 250_000 for number in range(100)},
+    ],
+)
+def test_large_projects_take_no_time(files: dict[str, str], tmp_path: Path) -> None:
+    begin = time.process_time()
+    bases(tmp_path, {"a.yaml": AMCL.format("base_footprint"), **files})
+    gaps(tmp_path, {}, imu())
+    assert time.process_time() - begin < 5
+
+
+def test_a_robot_without_a_root_has_no_base_to_miss(tmp_path: Path) -> None:
+    joint = '<joint name="k" type="fixed"><parent link="left_wheel"/><child link="base_link"/></joint>'
+    assert (
+        bases(
+            tmp_path,
+            {"p.yaml": AMCL.format("base_footprint")},
+            WHEELED.replace("</robot>", f"{joint}</robot>"),
+        )
+        == []
+    )
 
 
 def test_robots_without_wheels_have_no_base_to_miss(tmp_path: Path) -> None:
