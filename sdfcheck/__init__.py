@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         ignored_by_drake,
         is_harmless,
         lacking,
+        recurring,
         repeating,
         undersized,
         unexpanded,
@@ -130,7 +131,7 @@ _HOMES = {
     "sdfcheck.consumers.gazebo": "BuiltFrame BuiltJoint BuiltLink BuiltShape GazeboRobot",
     "sdfcheck.consumers.reaction": "REFUSES UNFOUND Consumer Reaction Verdict accepts drops ignores refuses warns",
     "sdfcheck.consumers.urdf_readers": (
-        "Ignored ignored_by_drake is_harmless lacking repeating undersized unexpanded unreadable"
+        "Ignored ignored_by_drake is_harmless lacking recurring repeating undersized unexpanded unreadable"
     ),
     "sdfcheck.convert.file_difference": "FileDifference",
     "sdfcheck.convert.loss": "Loss NotConvertible",
@@ -314,6 +315,7 @@ __all__ = [
     "parse",
     "print",
     "problems",
+    "recurring",
     "refuses",
     "rename",
     "repeating",

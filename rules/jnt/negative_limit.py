@@ -84,6 +84,8 @@ class NegativeLimit(Rule):
             affects = {}
             if quantity in {"effort", "velocity"} and part.is_urdf:
                 affects = {Consumer.PINOCCHIO: REFUSES}
+            elif quantity == "damping" and part.is_urdf:
+                affects = {Consumer.PINOCCHIO: warns("takes it as it is")}
             is_meant = number.number in NO_LIMIT and part.kind == "limit"
             if is_meant:  # what Drake does with it is its own rules' matter
                 affects = dict.fromkeys(Consumer, accepts("takes it as no limit")) | affects

@@ -1,4 +1,4 @@
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from sdfcheck import (
     IN_MODEL,
@@ -7,7 +7,9 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Element,
     Good,
+    Reaction,
     Rule,
     Severity,
     accepts,
@@ -24,6 +26,8 @@ IN_JOINTS = {
     Consumer.ISAAC: REFUSES,
     Consumer.PYBULLET: refuses("crashes"),
 }
+
+IN_TREES = dict.fromkeys((Consumer.MUJOCO, Consumer.URDFDOM), refuses("finds two trees"))
 
 IN_SHAPES = dict.fromkeys(
     (Consumer.GAZEBO, Consumer.ISAAC, Consumer.PYBULLET), accepts("needs no name there")
@@ -82,10 +86,21 @@ class EmptyName(Rule):
             advice = "leave the `name` out, or give it one that its siblings do not have"
             yield self.diagnostic(value, message, severity=Severity.WARNING, help=advice, affects=IN_SHAPES)
         elif problem.until is None:
-            parent = value.element.parent
-            is_joint = value.element.name == "joint" and parent is not None and parent.name == "robot"
-            affects = IN_JOINTS if is_joint else {}
-            yield self.diagnostic(value, message, affects=affects)
+            yield self.diagnostic(value, message, affects=in_robot(value.element))
         else:
             message += f", and required up to version {problem.until}"
             yield self.diagnostic(value, message, severity=Severity.WARNING)
+
+
+def in_robot(element: Element) -> Mapping[Consumer, Reaction]:
+    """The reactions of consumers of URDF that go by the part."""
+    robot = element.parent
+    if element.name == "robot":
+        return {Consumer.PYBULLET: accepts("needs no name there")}
+    if robot is None or robot.name != "robot":
+        return {}
+    if element.name == "material":
+        return dict.fromkeys((Consumer.GAZEBO, Consumer.PYBULLET), accepts("needs no name there"))
+    if element.name == "joint":
+        return IN_JOINTS
+    return IN_TREES if element.name == "link" and robot.has("joint") else {}

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_COLLISION, IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems
+from sdfcheck import IN_COLLISION, IN_URDF_LINK, Bad, Diagnostic, Good, Rule, Severity, problems, recurring
 
 POLYLINE = "<polyline><height>1</height><point>0 0</point><point>0 1</point><point>1 1</point></polyline>"
 
@@ -10,7 +10,7 @@ class SeveralShapes(Rule):
 
     libsdformat takes one of them, not the first in the file but the first in an order of its
     own (box, capsule, cone, cylinder, ellipsoid, plane, sphere, mesh, heightmap, polyline),
-    and drops the others in silence.
+    and drops the others in silence. MuJoCo refuses a URDF collision with two shapes of one kind.
     """
 
     code = "SCH020"
@@ -33,6 +33,11 @@ class SeveralShapes(Rule):
             scaffold=IN_URDF_LINK,
             says="`sphere` is dropped, because the geometry has a `box`",
         ),
+        Bad(
+            '<collision><geometry><box size="1 1 1"/><«box» size="2 1 1"/></geometry></collision>',
+            scaffold=IN_URDF_LINK,
+            says="`box` is dropped, because the geometry has a `box`",
+        ),
     )
     good = (
         Good(f"<geometry>{POLYLINE}{POLYLINE}</geometry>", why="polylines make one shape together"),
@@ -45,4 +50,5 @@ class SeveralShapes(Rule):
             element,
             f"`{element.name}` is dropped, because the geometry has a `{first.name}`",
             labels={first: "the shape that is taken"},
+            affects=recurring(element) if element.name == first.name else {},
         )

@@ -10,12 +10,12 @@ from sdfcheck import (
     Good,
     Rule,
     Severity,
+    lacking,
     named,
     problems,
     refuses,
     rename,
     rewrite,
-    unreadable,
     used,
 )
 
@@ -121,7 +121,7 @@ class UnknownUrdfElement(Rule):
             places = named(problem.places, "or")
             message = f"`{element.name}` is not read in {problem.parent.title}; it goes into {places}"
         severity = Severity.ERROR if problem.needed else None
-        affects = unreadable(problem.parent) if problem.needed else {}
+        affects = lacking(problem.parent, near or "") if problem.needed else {}
         if problem.is_color and not all(map(is_painted, problem.uses)):
             severity, affects = Severity.ERROR, {Consumer.DRAKE: refuses("knows no such material")}
         yield self.diagnostic(

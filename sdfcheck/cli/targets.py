@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
 
 _PART = "it is a part for other xacro files: a robot has a name, and more than macros"
+_NO_LINK = "it is a part for other files: a robot has a link"
 _FOREIGN = frozenset(
     (
         Kind.SRDF,
@@ -141,17 +142,20 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     if kind in _FOREIGN:
         raise WrongUsage(f"{file} looks like {kind.description}, no robot description")
     rows = matrix(done, kind, file, consumers)
-    document = read(data, file, kind) if kind is Kind.XACRO else None
-    if document is not None:
-        document.library = Library(settings.search, settings.size_limit)
-    if document is not None and document.root is not None and document.root.name == "sdf":
-        return tuple(
-            row if "sdf" in READS[row.consumer] else Row(row.consumer, Verdict.UNREAD, (), NO_SDF)
-            for row in rows
-        )
-    if document is None or document.root is None or (is_robot(document) and may_have_links(document)):
+    document = read(data, file, kind) if kind in {Kind.XACRO, Kind.URDF} else None
+    if document is None or document.root is None:
         return rows
-    return tuple(Row(row.consumer, Verdict.UNREAD, (), _PART) for row in rows)
+    if kind is Kind.URDF:
+        is_part = not document.root.has("link") and not any(row.reasons for row in rows)
+        return _unread(rows, _NO_LINK) if is_part else rows
+    document.library = Library(settings.search, settings.size_limit)
+    if document.root.name == "sdf":
+        return tuple(row if "sdf" in READS[row.consumer] else _unread([row], NO_SDF)[0] for row in rows)
+    return rows if is_robot(document) and may_have_links(document) else _unread(rows, _PART)
+
+
+def _unread(rows: Sequence[Row], note: str) -> tuple[Row, ...]:
+    return tuple(Row(row.consumer, Verdict.UNREAD, (), note) for row in rows)
 
 
 def may_have_links(document: Document) -> bool:

@@ -9,8 +9,9 @@ and the converter of Isaac Sim 0.3.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
+from math import isfinite, isnan
 from pathlib import Path
 
 from sdfcheck.consumers.reaction import REFUSES, Consumer, Reaction, accepts, drops, refuses, warns
@@ -22,11 +23,13 @@ from sdfcheck.source.sniff import Kind
 _NAMING = frozenset(("name", "link", "joint", "type", "reference", "filename"))
 _FREE = frozenset(("transmission", "gazebo", "ros2_control"))
 _UNREAD = accepts("does not read it")
+_AS_IT_IS = warns("takes it as it is")
 _OF_SPRINGS = frozenset(("spring_reference", "spring_stiffness"))
 _ASIDE = frozenset(("safety_controller", "calibration"))
 _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
-_NUMBERS = re.compile(rf"(?:{_NUMBER}\s+)*{_NUMBER}(?![\d.eE])\S*")
-"""Numbers, of which the last one may be followed by something else."""
+_NUMBERS = re.compile(rf"(?:{_NUMBER}\s+)*{_NUMBER}(?![\d.eE])\S+")
+"""Numbers, of which the last one is followed by something else."""
+_HEXADECIMAL = re.compile(r"[-+]?0[xX][0-9a-fA-F]+")
 _FIELDS = {"xyz": 3, "rpy": 3, "size": 3, "scale": 3, "rgba": 4, "quat_xyzw": 4}
 """Attribute → how many numbers it has, where these are several."""
 
@@ -71,15 +74,13 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
     found[Consumer.MUJOCO] = _UNREAD if is_unread_by_mujoco(at) else REFUSES
     if isinstance(at, Value) and (element.name, at.attribute, at.text) == ("joint", "type", "spherical"):
         found |= dict.fromkeys((Consumer.MUJOCO, Consumer.PYBULLET), accepts("makes a ball joint of it"))
+    if isinstance(at, Value):
+        found.update(_otherwise_read(at, found[Consumer.MUJOCO]))
     if place & _ASIDE:
         found[Consumer.DRAKE] = _UNREAD
     elif isinstance(at, Value) and at.attribute in _OF_SPRINGS:
         found.update(dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO, Consumer.DRAKE), _UNREAD))
         found[Consumer.MUJOCO] = warns("takes no spring")
-    elif isinstance(at, Value) and _is_cut(at):
-        found[Consumer.DRAKE] = warns("reads the number at its beginning")
-    if isinstance(at, Value) and "nan" in at.text.lower().split():
-        found[Consumer.MUJOCO] = warns("takes the nan")
     if isinstance(at, Value) and element.name == "axis" and len(at.text.split()) < _FIELDS["xyz"]:
         found[Consumer.PYBULLET] = REFUSES
     if "inertial" in place and element.name != "inertia" and _carries_the_rest(element):
@@ -100,16 +101,77 @@ def _ignoring(element: Element) -> dict[Consumer, Reaction]:
     return {}
 
 
-def _is_cut(value: Value) -> bool:
-    """Are there as many numbers as there should be, with something after the last one?"""
-    text = value.text.strip()
-    return bool(_NUMBERS.fullmatch(text)) and len(text.split()) == _FIELDS.get(value.attribute or "", 1)
+def _otherwise_read(value: Value, mujoco: Reaction) -> Mapping[Consumer, Reaction]:
+    """Reactions to what some take for a number, and urdfdom does not."""
+    words = value.text.split()
+    if value.attribute in _NAMING or len(words) != _FIELDS.get(value.attribute or "", 1):
+        return {}
+    try:
+        numbers = [float(word) for word in words]
+    except ValueError:
+        found = _begun(value)
+    else:
+        found = _IN_BLANKS if all(map(isfinite, numbers)) else _not_finite(value, words, numbers)
+    if mujoco == REFUSES:
+        return found
+    return {consumer: reaction for consumer, reaction in found.items() if consumer is not Consumer.MUJOCO}
+
+
+_IN_BLANKS = dict.fromkeys(
+    (Consumer.DRAKE, Consumer.ISAAC, Consumer.MUJOCO), accepts("ignores the blank after it")
+)
+
+
+def _begun(value: Value) -> Mapping[Consumer, Reaction]:
+    """Reactions to what begins with a number, such as ``1kg`` and ``0x10``."""
+    name, text = value.element.name, value.text.strip()
+    is_hexadecimal = _HEXADECIMAL.fullmatch(text) is not None
+    found = {}
+    if _NUMBERS.fullmatch(text) and not (is_hexadecimal and name == "cylinder"):
+        found[Consumer.DRAKE] = warns("reads the number at its beginning")
+    if is_hexadecimal and name != "inertia":
+        found[Consumer.MUJOCO] = warns("reads the hexadecimal number")
+    return found
+
+
+def _not_finite(value: Value, words: Sequence[str], numbers: Sequence[float]) -> Mapping[Consumer, Reaction]:
+    """Reactions to ``inf``, ``nan`` and numbers that are too large, such as ``1e400``."""
+    found = {} if value.element.name == "inertia" else {Consumer.ISAAC: _AS_IT_IS}
+    is_written = all(
+        word[-1].isalpha() for word, number in zip(words, numbers, strict=True) if not isfinite(number)
+    )
+    if is_written and _is_taken_by_mujoco(value, numbers):
+        found[Consumer.MUJOCO] = _AS_IT_IS
+    return found
+
+
+def _is_taken_by_mujoco(value: Value, numbers: Sequence[float]) -> bool:
+    """Does MuJoCo 4 take what is not finite: not as moments, and not as a negative mass or size?"""
+    element, place = value.element, _place(value.element)
+    if "inertial" in place and _is_root(element):
+        return True
+    if any(map(isnan, numbers)):
+        return "geometry" not in place and ("inertial" not in place or element.name == "mass")
+    is_body = "geometry" in place or element.name == "mass"
+    return element.name != "inertia" and not (is_body and min(numbers) < 0)
 
 
 def _carries_the_rest(element: Element) -> bool:
     """Is an element in the root link, which libsdformat drops without its mass, with all that it carries?"""
     link = next((each for each in element.around if each.name == "link"), None)
     return link is not None and link.text_of("name") not in element.document.view(_carried)
+
+
+def _is_root(element: Element) -> bool:
+    """Is an element in the root link, which MuJoCo makes a part of the world?"""
+    link = next((each for each in element.around if each.name == "link"), None)
+    return link is not None and link.text_of("name") not in element.document.view(_children)
+
+
+def _children(document: Document) -> frozenset[str | None]:
+    joints = document.root.children("joint") if document.root is not None else ()
+    ends = (joint.find("child") for joint in joints)
+    return frozenset(end.text_of("link") for end in ends if end is not None)
 
 
 def _carried(document: Document) -> frozenset[str | None]:
@@ -152,10 +214,13 @@ def _lacking_text(value: Value) -> Mapping[Consumer, Reaction]:
         is_needed = value.attribute in _NEEDED_BY_ISAAC.get(element.name, ())
         if element.name == "mesh":
             found[Consumer.GAZEBO] = REFUSES
+        if element.name == "mimic":
+            takers = (Consumer.URDFDOM, Consumer.MUJOCO, Consumer.ISAAC, Consumer.PYBULLET)
+            return {**found, **dict.fromkeys(takers, warns("moves the joint alone"))}
     else:
         is_needed = True
         found[Consumer.PYBULLET] = REFUSES if element.name == "axis" else _UNREAD
-        if element.name in {"origin", "limit", "dynamics"}:
+        if element.name in {"origin", "limit", "dynamics", "mimic"}:
             found[Consumer.MUJOCO] = _UNREAD
     return {**found, Consumer.ISAAC: REFUSES if is_needed else _WITHOUT_IT, **_ignoring(element)}
 
@@ -172,23 +237,34 @@ def _without_direction(axis: Element) -> Mapping[Consumer, Reaction]:
     }
 
 
+_ZERO = warns("takes 0")
+_UNLIMITED = warns("sets no limit")
+_PRODUCT: Mapping[Consumer, Reaction] = {Consumer.DRAKE: _ZERO, Consumer.PYBULLET: _UNREAD}
+_WITHOUT_LINKS = dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), accepts("takes a robot without links"))
 _LACKING: Mapping[str, Mapping[Consumer, Reaction]] = {
     "color": {Consumer.PYBULLET: _UNREAD},
     "dynamics": dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), _UNREAD),
-    "mass": {Consumer.DRAKE: warns("takes 0")},
+    "inertia": {Consumer.DRAKE: _ZERO},
+    **dict.fromkeys(("inertia/ixy", "inertia/ixz", "inertia/iyz"), _PRODUCT),
+    "inertial": {Consumer.DRAKE: _ZERO},
+    "inertial/inertia": {Consumer.DRAKE: _ZERO, Consumer.GAZEBO: _NO_REST},
+    "joint/limit": dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), _UNLIMITED),
+    "limit": dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO, Consumer.PYBULLET), _UNLIMITED),
+    "mass": {Consumer.DRAKE: _ZERO},
     "mimic": {Consumer.PYBULLET: _UNREAD},
 }
-"""Element → the reactions that go by it, whatever it lacks."""
+"""Element, or element and what it lacks → the reactions that go by it."""
 
 
 def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
     """Reactions that go by the element."""
     match element.name:
         case "link" if name == "name":
-            return {Consumer.URDFDOM: REFUSES}
+            return {Consumer.URDFDOM: REFUSES if _has_joint(element) else drops("all of the link")}
         case "robot":
-            without = {Consumer.DRAKE: accepts("takes a robot without links")} if name == "link" else {}
-            return {**without, Consumer.MUJOCO: _UNREAD}
+            if name == "link":
+                return {} if element.has("joint") else _WITHOUT_LINKS
+            return {Consumer.MUJOCO: _UNREAD}
         case "texture":
             unread = dict.fromkeys((Consumer.MUJOCO, Consumer.PYBULLET), _UNREAD)
             return {**unread, **_lacking_file(element)}
@@ -199,7 +275,11 @@ def _lacking_in(element: Element, name: str) -> Mapping[Consumer, Reaction]:
             drake = accepts("needs no name there")
             others = {Consumer.DRAKE: drake, Consumer.MUJOCO: mujoco, Consumer.ISAAC: _WITHOUT_IT}
             return {**others, **dict.fromkeys((Consumer.URDFDOM, Consumer.GAZEBO), _NO_REST)}
-    return _LACKING.get(element.name, {})
+    return _LACKING.get(f"{element.name}/{name}") or _LACKING.get(element.name, {})
+
+
+def _has_joint(link: Element) -> bool:
+    return link.parent is not None and link.parent.has("joint")
 
 
 def _lacking_file(texture: Element) -> Mapping[Consumer, Reaction]:
@@ -265,6 +345,11 @@ def repeating(element: Element) -> Mapping[Consumer, Reaction]:
     )
     is_unread = element.name == "texture" or (is_unread_by_mujoco(element) and not is_material)
     return ({Consumer.MUJOCO: _UNREAD} if is_unread else {}) | _ignoring(element)
+
+
+def recurring(shape: Element) -> Mapping[Consumer, Reaction]:
+    """Reactions to a second shape of the same kind in one geometry."""
+    return {} if shape.document.kind is Kind.SDF else {Consumer.MUJOCO: REFUSES, **repeating(shape)}
 
 
 def is_unread_by_mujoco(at: Element | Value) -> bool:

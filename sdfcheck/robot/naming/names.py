@@ -62,6 +62,15 @@ def extended_namesakes(root: Whole, given: Iterable[Name]) -> list[Namesakes]:
     return found
 
 
+def _of_shapes(root: Whole) -> Iterator[Name]:
+    """The names with ``::`` of visuals and collisions of URDF, which libsdformat gives on."""
+    for kind in ("visual", "collision"):
+        for shape in root.elements.get(kind, ()):
+            own, parent = shape.attribute("name"), shape.parent
+            if own is not None and "::" in own.text and parent is not None and parent.name == "link":
+                yield Name(kind, own.text, own, parent)
+
+
 def _is_dropped(name: Name) -> bool:
     """Is it of a joint that libsdformat has no place for? Then the name is free."""
     return name.kind == "joint" and name.value.element.get("type") in UNCONVERTED
@@ -173,6 +182,8 @@ class Names:
             given.append(Name("model", own.text, own, self.root.element))
         if self.root.is_urdf and self.root.elements.get("gazebo"):
             given += [name for names in extension_names(self.root).values() for name in names]
+        if self.root.is_urdf and self.root.document.source.contains("::"):
+            given += _of_shapes(self.root)
         return tuple(name for name in given if _ODD_LINE.search(name.name))
 
     @lazy

@@ -358,3 +358,11 @@ def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.Capt
     file.write_text(f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{gazebo}</robot>')
     main(["targets", str(file), "--isolated", "--target", "urdfdom"])
     assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
+
+
+def test_materials_alone_are_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "colors.urdf").write_text(
+        '<robot name="colors"><material name="gray"><color rgba="0.5 0.5 0.5 1"/></material></robot>'
+    )
+    assert main(["targets", str(tmp_path / "colors.urdf"), "--target", "urdfdom"]) == 1
+    assert "urdfdom  not read: it is a part for other files: a robot has a link" in capsys.readouterr().out
