@@ -16,6 +16,7 @@ from sdfcheck import (
     problems,
     refuses,
     used,
+    warns,
 )
 
 JOINT = '<joint {} type="fixed"><parent link="a"/><child link="b"/></joint>'
@@ -89,7 +90,8 @@ class EmptyName(Rule):
             yield self.diagnostic(value, message, affects=in_robot(value.element))
         else:
             message += f", and required up to version {problem.until}"
-            yield self.diagnostic(value, message, severity=Severity.WARNING)
+            affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))
+            yield self.diagnostic(value, message, severity=Severity.WARNING, affects=affects)
 
 
 def in_robot(element: Element) -> Mapping[Consumer, Reaction]:

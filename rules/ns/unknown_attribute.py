@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
 
 
 class UnknownAttribute(Rule):
@@ -75,10 +75,12 @@ class UnknownAttribute(Rule):
             return
         if problem.more:
             message += f", and {problem.more} more"
-        severity = Severity.ERROR if problem.needed else None
+        severity, affects = None, {}
+        if problem.needed:
+            severity, affects = Severity.ERROR, {Consumer.GAZEBO: REFUSES}
         if guess is None or element.attribute(guess) is not None:
             advice = "give it a prefix if it is your own"
-            yield self.diagnostic(place, message, help=advice, severity=severity)
+            yield self.diagnostic(place, message, help=advice, severity=severity, affects=affects)
             return
         fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
-        yield self.diagnostic(place, message, meant=guess, fix=fix, severity=severity)
+        yield self.diagnostic(place, message, meant=guess, fix=fix, severity=severity, affects=affects)

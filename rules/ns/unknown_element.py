@@ -18,6 +18,7 @@ from sdfcheck import (
     rewrite,
 )
 
+ENDS = frozenset(("child", "parent"))
 PLACED = frozenset(("collision", "inertial", "link", "model", "sensor", "visual"))
 """Elements whose `pose` says what an `origin` of URDF would; that of a joint is in the link that it carries."""
 
@@ -90,7 +91,8 @@ class UnknownElement(Rule):
         if (element.name, problem.parent.name) == ("origin", "joint"):
             advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
-        affects = {Consumer.GAZEBO: REFUSES} if problem.parent.name == "pbr" else {}
+        is_end = problem.parent.name == "joint" and guess in ENDS and not problem.parent.has(guess)
+        affects = {Consumer.GAZEBO: REFUSES} if is_end or problem.parent.name == "pbr" else {}
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
