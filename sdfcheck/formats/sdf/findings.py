@@ -422,6 +422,7 @@ class SdfFindings(Findings):
             else:
                 self.found.append(self.absent(parent, place, name))
         self.found += [group.problem for groups in self.misplaced.values() for group in groups]
+        self.found = _without_strange_sensors(self.found)
         self.found = folded_values(folded_attributes(folded_texts(self.found)))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
@@ -434,6 +435,33 @@ class SdfFindings(Findings):
             else:
                 self.found.append(problems.TooNewElement(uses[0], since, declaration, tuple(uses)))
         return folded(counted(self.found, self.strange))
+
+
+def _without_strange_sensors(found: list[object]) -> list[object]:
+    """The problems, without those in a sensor whose type is like none of the format: its plugin reads its settings."""
+    strange = {
+        each.value.element
+        for each in found
+        if isinstance(each, problems.UnknownChoice)
+        and (each.value.element.name, each.value.attribute) == ("sensor", "type")
+        and each.suggestion is None
+    }
+    if not strange:
+        return found
+    return [each for each in found if not _is_inside(each, strange)]
+
+
+def _is_inside(problem: object, sensors: set[Element]) -> bool:
+    """Is a problem in one of these sensors, other than its type itself?"""
+    value = getattr(problem, "value", None)
+    at: Element | None = getattr(problem, "element", None)
+    if isinstance(value, Value):
+        at = value.element
+        if at in sensors and value.attribute == "type":
+            return False
+    while at is not None and at not in sensors:
+        at = at.parent
+    return at is not None
 
 
 def _is_of_pybullet(contact: Element) -> bool:

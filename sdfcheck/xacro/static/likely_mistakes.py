@@ -25,6 +25,7 @@ from sdfcheck.xacro.language import (
 )
 from sdfcheck.xacro.problems import (
     ArgumentForParameter,
+    CounterpartProperty,
     DeprecatedFunction,
     DoubledPrefix,
     EmptiedBlock,
@@ -67,7 +68,14 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.launches import is_launched
-from sdfcheck.xacro.static.project import has_namesake, includers, is_included, name_endings, passed
+from sdfcheck.xacro.static.project import (
+    has_namesake,
+    includers,
+    is_included,
+    is_read_in_project,
+    name_endings,
+    passed,
+)
 
 # Elements of xacro and calls of macros that lack the prefix ``xacro:``.
 
@@ -181,6 +189,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _comparisons(read, visible)
     yield from _compared_truths(read, visible)
     yield from _arguments_for_parameters(read)
+    yield from _counterparts(document, read, visible)
     yield from _forgotten_prefixes(read, visible)
     yield from _names_by_default(read, visible)
     yield from _doubled_prefixes(document, read)
@@ -190,6 +199,74 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     if knows_all(document):
         yield from _unused(document, read, visible)
     yield from _empty_robot(document, read)
+
+
+_NUMBER = re.compile(r"\d+")
+_EXPRESSION = re.compile(r"\$[({][^(){}]*[)}]")
+_SIDES = (("left", "right"), ("front", "rear"), ("front", "back"))
+
+
+def _own_names(word: str, name: str) -> Iterator[str]:
+    """The names of properties that an element may mean which reads that of another number or side than its own."""
+    own = set(_NUMBER.findall(name))
+    for match in _NUMBER.finditer(word):
+        if match[0] not in own:
+            yield from (word[: match.start()] + number + word[match.end() :] for number in sorted(own))
+    for one, other in (pair for sides in _SIDES for pair in (sides, sides[::-1])):
+        if one in word and other in name and one not in name:
+            yield word.replace(one, other)
+
+
+def _counterparts(document: Document, read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The properties of one joint or link that another one reads, whose own nothing reads."""
+    unread = set() if visible.is_open else visible.given.keys() - visible.words
+    if not unread:
+        return
+    uses: dict[str, list[tuple[Element, Span]]] = {}
+    for expression in read.expressions:
+        holder = _holder(expression.element)
+        for word in sorted(set(_WORD.findall(expression.code))) if holder is not None else ():
+            if holder is not None and word in visible.given:
+                span = place(expression.element, expression.attribute, expression.code, word)
+                uses.setdefault(word, []).append((holder, span))
+    found: dict[Element, list[tuple[str, str, Span]]] = {}
+    for word, places in uses.items():
+        names = {holder: _own_text(holder) for holder, _ in places}
+        if not any(_is_of(word, name) for name in names.values()):
+            continue
+        for holder, span in places:
+            own = next((each for each in _own_names(word, names[holder]) if each in unread), None)
+            if own is not None and not is_read_in_project(document, own):
+                found.setdefault(holder, []).append((word, own, span))
+    for holder, cases in found.items():
+        word, own, span = cases[0]
+        definition = _named(visible.given[own][0].element)
+        title = f"{holder.name} `{holder.attributes['name']}`"
+        yield CounterpartProperty(span, word, definition, own, title, tuple(each for *_, each in cases[1:]))
+
+
+def _holder(element: Element) -> Element | None:
+    """The joint or link that an element is in, or is."""
+    at: Element | None = element
+    while at is not None and (at.name not in {"joint", "link"} or "name" not in at.attributes):
+        at = at.parent
+    return at
+
+
+def _own_text(holder: Element) -> str:
+    """A name without its expressions."""
+    return _EXPRESSION.sub("", holder.attributes["name"]).lower()
+
+
+def _is_of(word: str, name: str) -> bool:
+    """Has a property the numbers and sides of a name?"""
+    numbers = set(_NUMBER.findall(word))
+    sides = {side for pair in _SIDES for side in pair if side in word}
+    return (
+        bool(numbers or sides)
+        and numbers <= set(_NUMBER.findall(name))
+        and all(side in name for side in sides)
+    )
 
 
 def _symbols(read: Reading) -> Iterator[Oversight]:

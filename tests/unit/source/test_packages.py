@@ -189,3 +189,26 @@ def test_folders_that_cannot_be_listed_hold_nothing(tmp_path: Path, monkeypatch:
 def test_folders_of_the_kernel_are_in_no_project() -> None:
     assert Packages(Path("/proc"), environment={}).names == []
     assert list(Packages(Path("/proc/self"), environment={}).files("", 9)) == []
+
+
+def test_folders_are_listed_once_until_they_are_forgotten(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for number in range(5):
+        (tmp_path / f"p{number}").mkdir()
+        (tmp_path / f"p{number}" / "a.yaml").write_text("")
+    packages, listed = Packages(tmp_path, environment={}), list[str]()
+
+    def names_in(folder: str) -> list[str]:
+        listed.append(folder)
+        return sorted(os.listdir(folder))
+
+    monkeypatch.setattr("sdfcheck.files.packages.names_in", names_in)
+    assert len(list(packages.files(".yaml", 100))) == 5
+    seen = len(listed)
+    (tmp_path / "p0" / "b.yaml").write_text("")
+    assert len(list(packages.files(".yaml", 100))) == 5
+    assert list(packages.files("c.dae", 100)) == []
+    assert len(listed) == seen
+    packages.forget()
+    assert len(list(packages.files(".yaml", 100))) == 6
