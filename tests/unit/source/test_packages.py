@@ -10,6 +10,7 @@ import pytest
 import sdfcheck
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.files.regular import names_in
 from sdfcheck.xacro.expansion import expand
 
 
@@ -199,11 +200,11 @@ def test_folders_are_listed_once_until_they_are_forgotten(
         (tmp_path / f"p{number}" / "a.yaml").write_text("")
     packages, listed = Packages(tmp_path, environment={}), list[str]()
 
-    def names_in(folder: str) -> list[str]:
+    def noted(folder: str) -> list[str]:
         listed.append(folder)
-        return sorted(os.listdir(folder))
+        return names_in(folder)
 
-    monkeypatch.setattr("sdfcheck.files.packages.names_in", names_in)
+    monkeypatch.setattr("sdfcheck.files.packages.names_in", noted)
     assert len(list(packages.files(".yaml", 100))) == 5
     seen = len(listed)
     (tmp_path / "p0" / "b.yaml").write_text("")
