@@ -18,6 +18,9 @@ COLORS = ("ambient", "diffuse", "emissive", "pbr")
 PALETTE = "Gazebo/"
 """How the names begin that recent releases know."""
 
+UNSET = "__default__"
+"""The name that Gazebo Classic saves for a material without a script; unset-script-uri owns it."""
+
 BOX = '<geometry><box size="1 1 1"/></geometry>'
 SHAPE = "<geometry><box><size>1 1 1</size></box></geometry>"
 LINK = f'<robot name="r"><link name="base"><visual>{BOX}</visual></link>{{}}</robot>'
@@ -62,6 +65,11 @@ class ScriptMaterial(Rule):
             f"{SHAPE}<material><script><uri>file://media/materials/scripts/gazebo.material</uri>"
             "<name>Gazebo/Red</name></script><diffuse>1 0 0 1</diffuse></material>",
             why="the color is there for those who read no scripts",
+        ),
+        Good(
+            f"{SHAPE}<material><script><uri>m.material</uri><name>__default__</name></script></material>",
+            files={"m.material": ""},
+            why="Gazebo Classic shows its default color, too",
         ),
         Good(
             '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>',
@@ -112,4 +120,6 @@ def _of_material(material: Material) -> Iterator[tuple[Target, str]]:
     if script is not None and any(script.children()) and not any(map(material.has, COLORS)):
         name = script.find("name")
         named = name is not None and name.content
+        if named == UNSET:
+            return
         yield (name.own_value, named) if name is not None and named else (script, "")

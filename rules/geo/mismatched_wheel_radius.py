@@ -42,7 +42,14 @@ class MismatchedWheelRadius(Rule):
             says="the right wheel has a radius of 0.096 m, and the left one of 0.1 m",
         ),
     )
-    good = (Good(rover(wheel_radius="0.1")), Good(rover(wheel_radius="0.095"), why="a soft tire"))
+    good = (
+        Good(rover(wheel_radius="0.1")),
+        Good(rover(wheel_radius="0.095"), why="a soft tire"),
+        Good(
+            rover(wheel_diameter="0.1"),
+            why="the plugin does not read it: misspelled-plugin-parameter owns this one",
+        ),
+    )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:

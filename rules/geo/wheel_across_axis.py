@@ -63,6 +63,14 @@ class WheelAcrossAxis(Rule):
             ),
             why="a ring of a gimbal",
         ),
+        Good(
+            WHEEL.format("0 0 0", "0.04", "0 1 0")
+            .replace('"wheel"', '"scan"')
+            .replace(
+                "</robot>", '<gazebo reference="scan"><sensor name="s" type="gpu_lidar"/></gazebo></robot>'
+            ),
+            why="a lidar that turns to see all around it",
+        ),
         Good(OLD_WHEEL, why="up to 1.4 the axis is in the model's frame, and the wheel is turned in it"),
     )
 
@@ -106,6 +114,8 @@ def alignment(joint: Joint) -> float:
     shapes = shapes_of(link) if link is not None else ()
     if link is None or len(shapes) != 1 or shapes[0].geometry.shape != "cylinder":
         return -1.0
+    if link.sensors and _noun(link) != "wheel":
+        return -1.0  # a lidar that nods or rolls
     own = joint.find("pose")
     if not is_endless(joint) or (own is not None and own.content):
         return -1.0

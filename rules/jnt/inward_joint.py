@@ -7,6 +7,8 @@ MORE = 0.2
 its parent than the other way would; five of them come near, which open where fingers overlap with their palm."""
 SWALLOWED = 0.9
 """Of the surface: what slides in as a whole is a drawer or a telescope."""
+ALIKE = 0.9
+"""The cosine of the angle between the axes of fingers of one hand."""
 ARM = (
     '<robot name="r"><link name="base"><visual><origin xyz="0 0 0.2"/><geometry><box size="0.1 0.1 0.4"/></geometry>'
     '</visual></link><link name="arm"><visual><geometry><mesh filename="arm.obj"/></geometry></visual></link>'
@@ -51,6 +53,19 @@ class InwardJoint(Rule):
     good = (
         Good(f'<axis xyz="0 1 0"/>{LIMIT.format(0, 1.5)}', files=FILES),
         Good(f'<axis xyz="0 -1 0"/>{LIMIT.format(-1.5, 1.5)}', files=FILES, why="as far to both sides"),
+        Good(
+            f'<axis xyz="0 -1 0"/>{LIMIT.format(0, 1.5)}</joint>'
+            + "".join(
+                f'<link name="{name}"><visual><geometry><mesh filename="arm.obj"/></geometry></visual></link>'
+                f'<joint name="{name}" type="revolute"><parent link="base"/><child link="{name}"/>'
+                f'<origin xyz="-0.2 {place} 0.35"/><axis xyz="0 -1 0"/>{LIMIT.format(0, 1.5)}</joint>'
+                for name, place in (("b", 0.5), ("c", -0.5))
+            )
+            + '<joint name="k" type="fixed"><parent link="base"/><child link="tip"/>',
+            scaffold=ARM.replace("</robot>", '<link name="tip"/></robot>'),
+            files=FILES,
+            why="two more fingers of the hand close the same way and stay outside",
+        ),
     )
 
     @staticmethod
@@ -60,7 +75,7 @@ class InwardJoint(Rule):
         reach = joint.reach
         if reach is None or reach.within - reach.opposite < MORE:
             return False
-        return joint.type == "revolute" or reach.within < SWALLOWED
+        return (joint.type == "revolute" or reach.within < SWALLOWED) and not is_one_of_many(joint)
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         reach, parent = joint.reach, joint.parent_link
@@ -72,3 +87,20 @@ class InwardJoint(Rule):
             f" {reach.opposite:.0%} of it the other way".replace("%", " %"),
             labels={joint.axis.limit: "its limits", parent: "the parent"},
         )
+
+
+def is_one_of_many(joint: Joint) -> bool:
+    """Do two more joints of its parent turn the same way as far, such as those of fingers, and stay outside?"""
+    parent, own = joint.parent_link, joint.direction
+    if parent is None or own is None:
+        return False
+    outside = 0
+    for other in parent.child_joints:
+        axis, link = other.direction, other.child_link
+        is_like = other is not joint and other.type == joint.type and link is not None and link.visuals
+        if axis is None or not is_like or other.axis.limit.range != joint.axis.limit.range:
+            continue
+        if sum(a * b for a, b in zip(own, axis, strict=True)) > ALIKE:
+            reach = other.reach
+            outside += reach is None or reach.within - reach.opposite < MORE
+    return outside > 1

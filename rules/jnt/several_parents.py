@@ -9,19 +9,24 @@ from sdfcheck import (
     Good,
     Joint,
     Link,
+    Reaction,
     Root,
     Rule,
     Severity,
     accepts,
     named,
+    warns,
 )
+
+HUNG = {Consumer.PINOCCHIO: warns("hangs the link on the joint whose name comes last")}
 
 
 class SeveralParents(Rule):
     """A link is the child of more than one joint.
 
     A URDF robot is a tree: MuJoCo, Drake and libsdformat 17 refuse a link with two parents, and urdfdom
-    hangs it on the joint whose name comes last. SDFormat allows it, and Gazebo closes the loop, but
+    hangs it on the joint whose name comes last. Pinocchio refuses it where it comes to the link before the parent of
+    that joint. SDFormat allows it, and Gazebo closes the loop, but
     it is seldom meant; Drake and the solvers of kinematics want a tree.
     """
 
@@ -85,13 +90,16 @@ class SeveralParents(Rule):
         return any(True for _ in further_joints(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
+        is_read = is_in_order(root)
         for link, joints, further in further_joints(root):
             names = named((each.name for each in joints), most=4)
             message = f"link `{link.name}` is child of {len(joints)} joints: {names}"
             for joint in further:
-                yield self._one_more(joint, joints[0], message)
+                yield self._one_more(joint, joints[0], message, HUNG if joint.is_urdf and is_read else {})
 
-    def _one_more(self, joint: Joint, first: Joint, message: str) -> Diagnostic:
+    def _one_more(
+        self, joint: Joint, first: Joint, message: str, affects: dict[Consumer, Reaction]
+    ) -> Diagnostic:
         is_held = not joint.is_urdf and "world" in (joint.parent_name, first.parent_name)
         return self.diagnostic(
             joint.child_value or joint,
@@ -99,7 +107,7 @@ class SeveralParents(Rule):
             labels={first.child_value or first: "first a child here"},
             severity=Severity.ERROR if joint.is_urdf else None,
             # A joint to the world makes no loop with another one.
-            affects={Consumer.DRAKE: accepts("holds the link")} if is_held else {},
+            affects={Consumer.DRAKE: accepts("holds the link")} if is_held else affects,
         )
 
 
@@ -110,3 +118,25 @@ def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]
         further = [joint for joint in joints[1:] if not joint.is_urdf or joint.name != joints[0].name]
         if further and link.name not in doubled:
             yield link, joints, further
+
+
+def is_in_order(root: Root) -> bool:
+    """Does Pinocchio meet the parent of each link before it, on its way down by the names of joints?"""
+    last: dict[Link, Joint] = {}
+    below: dict[Link | None, list[Joint]] = {}
+    for link, joints in root.parent_joints.items():
+        last[link] = max(joints, key=lambda joint: joint.name)
+        for joint in joints:
+            below.setdefault(joint.parent_link, []).append(joint)
+    waiting: list[Link | None] = [link for link in below if link is not None and link not in last]
+    met: set[Link | None] = set()
+    while waiting:
+        at = waiting.pop()
+        if at is None or at in met:
+            continue
+        if at in last and last[at].parent_link not in met:
+            return False
+        met.add(at)
+        children = sorted(below.get(at, ()), key=lambda joint: joint.name, reverse=True)
+        waiting += [joint.child_link for joint in children]
+    return True

@@ -77,6 +77,11 @@ class UnknownElement(Rule):
             why="the content of a plugin is the plugin's",
             scaffold=IN_LINK,
         ),
+        Good(
+            '<sensor name="s" type="rotating_sonar"><increment>1</increment></sensor>',
+            why="unknown-choice owns the type, and the plugin that has such a type reads the rest",
+            scaffold=IN_LINK,
+        ),
     )
 
     def check(self, problem: problems.UnknownElement) -> Iterator[Diagnostic]:

@@ -14,15 +14,15 @@ from sdfcheck import (
     refuses,
     replace,
 )
+from sdfcheck_rules.res.absences import reactions
 from sdfcheck_rules.res.places import needs_no_escape, place
 
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 ARM = '<sdf version="1.12"><model name="arm"><link name="l"/></model></sdf>'
 
 
-ELSEWHERE = dict.fromkeys(
-    (Consumer.GAZEBO, Consumer.DRAKE), refuses("refuses the file where the case of letters counts")
-)
+UNFOUND = refuses("refuses the file where the case of letters counts")
+ELSEWHERE = dict.fromkeys((Consumer.GAZEBO, Consumer.DRAKE), UNFOUND)
 
 
 class WrongCasePath(Rule):
@@ -68,9 +68,9 @@ class WrongCasePath(Rule):
         if value is None or found is None:
             return
         meant = found.meant
-        severity, affects = self.severity, {}
-        if named.kind == "include":
-            severity, affects = Severity.ERROR, ELSEWHERE
+        severity, affects = Severity.ERROR, ELSEWHERE
+        if isinstance(named, Resource):
+            severity, affects = self.severity, reactions((named,), UNFOUND)
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
         message = f"`{named.uri}` is spelt `{meant or place(named.document, found.path)}` on disk"
         yield self.diagnostic(value, message, severity=severity, fix=fix, affects=affects)

@@ -99,6 +99,11 @@ class UnknownChoice(Rule):
             why="of joint types any case is read",
             scaffold=IN_MODEL,
         ),
+        Good(
+            "<scene><fog><type>exp2</type></fog></scene>",
+            why="Gazebo Classic, which alone shows fog, has it",
+            scaffold=IN_WORLD,
+        ),
         Good('<physics type="ignore"/>', why="as `ignored`, which nobody reads", scaffold=IN_WORLD),
         Good(
             '<sensor name="s" type="wideanglecamera"><camera/></sensor>',
@@ -111,8 +116,8 @@ class UnknownChoice(Rule):
     )
 
     def check(self, problem: problems.UnknownChoice) -> Iterator[Diagnostic]:
-        if problem.suggestion == "ignored":
-            return  # the type of physics that nobody is to read, and nobody does
+        if problem.suggestion == "ignored" or is_of_classic(problem.value):
+            return  # the type of physics that nobody is to read, and nobody does; fog of Gazebo Classic
         value, choices = problem.value, [choice for choice in problem.choices if choice]
         place = f"`{value.element.name}`"
         if value.attribute is not None:
@@ -133,6 +138,12 @@ class UnknownChoice(Rule):
             if problem.refused
             else dict.fromkeys(Consumer, warns("takes a default")),
         )
+
+
+def is_of_classic(value: Value) -> bool:
+    """Is it a type of fog that Gazebo Classic has, alone of all that show fog? The format lists others."""
+    parent = value.element.parent
+    return parent is not None and parent.name == "fog" and value.text.strip() in {"exp", "exp2"}
 
 
 def is_of_simulators(value: Value) -> bool:

@@ -2,6 +2,8 @@ from collections.abc import Iterator
 
 from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, ignores, problems
 
+PARTS = {"model", "world"}
+"""Without `<sdf>` around them they are reported by missing-root."""
 IGNORED = dict.fromkeys(Consumer, ignores("it"))
 
 
@@ -35,10 +37,13 @@ class ContentAfterRoot(Rule):
         Good(
             '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n', why="comments may be anywhere"
         ),
+        Good('<world name="w"/>\n</sdf>\n', why="the start tag is missing: missing-root owns this one"),
     )
 
     def check(self, problem: problems.ContentAfterRoot) -> Iterator[Diagnostic]:
         span, text = problem.span, problem.span.text
+        if text.startswith("</sdf") and problem.root.text in PARTS:
+            return  # its start tag is missing, as missing-root says
         affects = {}
         if text.startswith("</"):
             message = f"`{text}` closes nothing: the root element is closed already"

@@ -445,6 +445,8 @@ class Library:
         self._unseen.clear()
         self._projects.clear()
         self._surroundings.clear()
+        for packages in self._packages.values():
+            packages.forget()
 
     def documents(self) -> tuple[Document, ...]:
         """The documents that were read."""

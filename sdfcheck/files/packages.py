@@ -12,6 +12,9 @@ from sdfcheck.files.regular import MEGABYTE, is_below, is_made_up, names_in, rea
 FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
 
+_NAMES_LIMIT = 300_000
+"""So many names of files of one project are kept."""
+
 TEMPLATE = ".in"
 """The suffix of a file of which CMake makes the one without it."""
 
@@ -106,9 +109,11 @@ class Packages:
 
     __slots__ = (
         "_below",
+        "_called",
         "_folders",
         "_found",
         "_installed",
+        "_listed",
         "_own_prefixes",
         "environment",
         "given",
@@ -132,6 +137,8 @@ class Packages:
         self.environment = dict(os.environ if environment is None else environment)
         self._below: dict[Path, dict[str, list[Path]]] = {}
         self._folders: dict[Path, tuple[str, ...]] = {}
+        self._called: dict[Path, dict[str, list[str]]] = {}
+        self._listed: list[tuple[str, list[str]]] | None = None
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
         self._own_prefixes: list[Path] | None = None
@@ -145,6 +152,10 @@ class Packages:
         if len(copies) < 2 or found not in copies:
             return found
         return min(copies, key=lambda copy: _distance(copy, os.path.abspath(near)) if near else 0)
+
+    def forget(self) -> None:
+        """Look at the files in folders anew when they are asked for next."""
+        self._listed = None
 
     @property
     def searched(self) -> tuple[Path, ...]:
@@ -219,8 +230,8 @@ class Packages:
         """The project's files of one suffix, at most ``limit``."""
         count = 0
         roots = tuple(os.path.realpath(folder) for folder in self.own)
-        for folder in self._folders_below(self.root):
-            for name in names_in(folder):
+        for folder, names in self._listings():
+            for name in names:
                 if not name.endswith(suffix):
                     continue
                 path = os.path.join(folder, name)
@@ -234,9 +245,7 @@ class Packages:
     def models(self, name: str, near: str) -> list[str]:
         """The project's folders of a model, the nearest to a folder first."""
         found = (
-            folder
-            for folder in self._folders_below(self.root)
-            if os.path.basename(folder) == name and "model.config" in names_in(folder)
+            folder for folder in self._folders_called(name, self.root) if "model.config" in names_in(folder)
         )
         here = os.path.abspath(near)
         return sorted(found, key=lambda each: (_distance(each, here), each))
@@ -256,7 +265,7 @@ class Packages:
             if os.path.isdir(share := prefix / "share" / name):
                 yield share
         for folder in (*self.paths, self.root):
-            same = [place for place in self._folders_below(folder) if os.path.basename(place) == name]
+            same = self._folders_called(name, folder)
             if len(same) == 1 and names_in(same[0]):  # a submodule that is not checked out is empty
                 yield Path(same[0])
 
@@ -277,6 +286,29 @@ class Packages:
             is_alone = self.is_flat and root == self.root and root not in self.paths
             self._folders[root] = (os.fspath(root),) if is_alone else tuple(_folders(root))
         return self._folders[root]
+
+    def _folders_called(self, name: str, root: Path) -> list[str]:
+        called = self._called.get(root)
+        if called is None:
+            called = self._called[root] = {}
+            for folder in self._folders_below(root):
+                called.setdefault(os.path.basename(folder), []).append(folder)
+        return called.get(name, [])
+
+    def _listings(self) -> Iterator[tuple[str, list[str]]]:
+        """The project's folders with the names in them, kept for the next question unless they are many."""
+        if self._listed is not None:
+            yield from self._listed
+            return
+        listed, count = [], 0
+        for folder in self._folders_below(self.root):
+            names = names_in(folder)
+            count += len(names)
+            if count <= _NAMES_LIMIT:
+                listed.append((folder, names))
+            yield folder, names
+        if count <= _NAMES_LIMIT:
+            self._listed = listed
 
     def _of_environment(self, variable: str) -> list[Path]:
         entries = self.environment.get(variable, "").split(os.pathsep)

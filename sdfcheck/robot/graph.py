@@ -2471,6 +2471,10 @@ def drive_of(plugin: Plugin) -> Drive | None:
     given: dict[str, list[Element]] = {}
     for parameter in plugin.parameters:
         given.setdefault(parameter.name, []).append(parameter)
+    facts = plugin.known
+    for name in (*_RADIUS, *_DIAMETER, *_SEPARATION, *_BASE):
+        if facts is not None and facts.parameters and not facts.reads(name):
+            given.pop(name, None)
     named = [[each for name in names for each in given.get(name, ())] for names in _SIDES]
     if model is None or not 0 < len(named[0]) == len(named[1]) or len(named[2]) != len(named[3]):
         return None

@@ -88,6 +88,16 @@ class ArgumentForParameter(Oversight):
     """A macro asks for the argument that has the name of its own parameter, at ``other``."""
 
 
+class CounterpartProperty(Oversight):
+    """An element reads the property of its counterpart; nothing reads its own, ``near``, which is at ``other``.
+
+    ``holder`` is the joint or link, in words, ``places`` are the other places in it.
+    """
+
+    holder: str = ""
+    places: tuple[Span, ...] = ()
+
+
 class ForgottenPrefix(Oversight):
     """A macro names a link or joint without the prefix with which it defines it, at ``other``; ``near`` is both."""
 

@@ -422,6 +422,7 @@ class SdfFindings(Findings):
             else:
                 self.found.append(self.absent(parent, place, name))
         self.found += [group.problem for groups in self.misplaced.values() for group in groups]
+        self.found = _without_strange_sensors(self.found)
         self.found = folded_values(folded_attributes(folded_texts(self.found)))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
@@ -434,6 +435,27 @@ class SdfFindings(Findings):
             else:
                 self.found.append(problems.TooNewElement(uses[0], since, declaration, tuple(uses)))
         return folded(counted(self.found, self.strange))
+
+
+def _without_strange_sensors(found: list[object]) -> list[object]:
+    """The problems, without those in a sensor whose type is like none of the format: its plugin reads its settings."""
+    strange = {
+        each.value.element
+        for each in found
+        if isinstance(each, problems.UnknownChoice)
+        and (each.value.element.name, each.value.attribute) == ("sensor", "type")
+        and each.suggestion is None
+    }
+    if not strange:
+        return found
+    return [each for each in found if not _is_inside(each, strange)]
+
+
+def _is_inside(problem: object, sensors: set[Element]) -> bool:
+    """Is a problem below one of these sensors? What the sensor itself lacks is somebody's mistake as ever."""
+    value = getattr(problem, "value", None)
+    at = value.element if isinstance(value, Value) else getattr(problem, "element", None)
+    return isinstance(at, Element) and any(around in sensors for around in at.around)
 
 
 def _is_of_pybullet(contact: Element) -> bool:

@@ -26,6 +26,7 @@ from sdfcheck.xacro.language import (
     syntax_tree,
 )
 from sdfcheck.xacro.problems import (
+    CounterpartProperty,
     ExpansionFailure,
     Failure,
     Mismatch,
@@ -261,7 +262,9 @@ def problems(document: Document) -> Iterator[Problem]:
     yield from _undefined_macros(document, visible)
     yield from _undefined_properties(document, visible)
     yield from _wrong_arguments(document, visible)
-    yield from _unused_properties(document, visible)
+    found = list(oversights(document, visible))
+    meant = {each.near for each in found if isinstance(each, CounterpartProperty)}
+    yield from (each for each in _unused_properties(document, visible) if each.name not in meant)
     yield from _unused_parameters(document, visible)
     for cycle in visible.cycles:
         if cycle.certain:
@@ -269,7 +272,7 @@ def problems(document: Document) -> Iterator[Problem]:
             span = document.spans.attribute_value(element, "filename")
             yield XacroIncludeCycle(span, cycle.include.filename, cycle.steps)
     yield from _unknown_packages(document)
-    yield from oversights(document, visible)
+    yield from found
 
 
 def _undeclared(document: Document) -> Iterator[Problem]:
@@ -420,7 +423,7 @@ def _definition(macro: Macro) -> Span:
     return macro.element.document.spans.attribute_value(macro.element, "name")
 
 
-def _unused_properties(document: Document, visible: Definitions) -> Iterator[Problem]:
+def _unused_properties(document: Document, visible: Definitions) -> Iterator[UnusedProperty]:
     if visible.is_open:
         return
     robot = is_robot(document) and not is_included(document)

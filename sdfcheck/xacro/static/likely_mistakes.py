@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice
 
 from sdfcheck.files.library import library_of
 from sdfcheck.formats import history
@@ -25,6 +26,7 @@ from sdfcheck.xacro.language import (
 )
 from sdfcheck.xacro.problems import (
     ArgumentForParameter,
+    CounterpartProperty,
     DeprecatedFunction,
     DoubledPrefix,
     EmptiedBlock,
@@ -51,6 +53,7 @@ from sdfcheck.xacro.problems import (
 )
 from sdfcheck.xacro.static.definitions import (
     Definitions,
+    Expression,
     Macro,
     Property,
     Reading,
@@ -67,7 +70,14 @@ from sdfcheck.xacro.static.definitions import (
     visible_definitions,
 )
 from sdfcheck.xacro.static.launches import is_launched
-from sdfcheck.xacro.static.project import has_namesake, includers, is_included, name_endings, passed
+from sdfcheck.xacro.static.project import (
+    has_namesake,
+    includers,
+    is_included,
+    is_read_in_project,
+    name_endings,
+    passed,
+)
 
 # Elements of xacro and calls of macros that lack the prefix ``xacro:``.
 
@@ -181,6 +191,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _comparisons(read, visible)
     yield from _compared_truths(read, visible)
     yield from _arguments_for_parameters(read)
+    yield from _counterparts(document, read, visible)
     yield from _forgotten_prefixes(read, visible)
     yield from _names_by_default(read, visible)
     yield from _doubled_prefixes(document, read)
@@ -190,6 +201,95 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     if knows_all(document):
         yield from _unused(document, read, visible)
     yield from _empty_robot(document, read)
+
+
+_NUMBER = re.compile(r"\d+")
+_EXPRESSION = re.compile(r"\$[({][^(){}]*[)}]")
+_SIDES = (("left", "right"), ("front", "rear"), ("front", "back"))
+_PAIRED = re.compile(r"\d|left|right|front|rear|back")
+_DEEPEST_SETTING = 10
+_MOST_NUMBERS, _MOST_COUNTERPARTS = 5, 20
+"""So many numbers of a name, and so many unread properties of a file, are looked at."""
+
+
+def _own_names(word: str, name: str) -> Iterator[str]:
+    """The names of properties that an element may mean which reads that of another number or side than its own."""
+    own = set(_NUMBER.findall(name)[:_MOST_NUMBERS])
+    for match in islice(_NUMBER.finditer(word), _MOST_NUMBERS):
+        if match[0] not in own:
+            yield from (word[: match.start()] + number + word[match.end() :] for number in sorted(own))
+    for one, other in (pair for sides in _SIDES for pair in (sides, sides[::-1])):
+        if one in word and other in name and one not in name:
+            yield word.replace(one, other)
+
+
+def _counterparts(document: Document, read: Reading, visible: Definitions) -> Iterator[Oversight]:
+    """The properties of one joint or link that another one reads, whose own nothing reads."""
+    unread = set() if visible.is_open else visible.given.keys() - visible.words
+    found: dict[Element, list[tuple[str, str, Expression]]] = {}
+    known: dict[str, bool] = {}
+    for word, places in (_paired_words(read, visible) if unread else {}).items():
+        names = {holder: _own_text(holder) for holder, _ in places}
+        if not any(_is_of(word, name) for name in names.values()):
+            continue
+        for holder, expression in places:
+            own = next((each for each in _own_names(word, names[holder]) if each in unread), None)
+            if own is not None and own not in known and len(known) < _MOST_COUNTERPARTS:
+                known[own] = is_read_in_project(document, own)
+            if own is not None and not known.get(own, True):
+                found.setdefault(holder, []).append((word, own, expression))
+    for holder, cases in found.items():
+        yield _counterpart(holder, cases, visible)
+
+
+def _paired_words(read: Reading, visible: Definitions) -> dict[str, list[tuple[Element, Expression]]]:
+    """The properties with numbers or sides in their names, with the joints and links that read them."""
+    uses: dict[str, list[tuple[Element, Expression]]] = {}
+    for expression in read.expressions:
+        words = {word for word in _WORD.findall(expression.code) if _PAIRED.search(word)}
+        words &= visible.given.keys()
+        holder = _holder(expression.element) if words else None
+        if holder is not None:
+            for word in sorted(words):
+                uses.setdefault(word, []).append((holder, expression))
+    return uses
+
+
+def _counterpart(
+    holder: Element, cases: Sequence[tuple[str, str, Expression]], visible: Definitions
+) -> CounterpartProperty:
+    word, own, _ = cases[0]
+    spans = [place(each.element, each.attribute, each.code, word) for word, _, each in cases]
+    title = f"{holder.name} `{holder.attributes['name']}`"
+    return CounterpartProperty(
+        spans[0], word, _named(visible.given[own][0].element), own, title, tuple(spans[1:])
+    )
+
+
+def _holder(element: Element) -> Element | None:
+    """The joint or link that an element is in, or is."""
+    at: Element | None = element
+    for _ in range(_DEEPEST_SETTING):
+        if at is None or (at.name in {"joint", "link"} and "name" in at.attributes):
+            return at
+        at = at.parent
+    return None
+
+
+def _own_text(holder: Element) -> str:
+    """A name without its expressions."""
+    return _EXPRESSION.sub("", holder.attributes["name"]).lower()
+
+
+def _is_of(word: str, name: str) -> bool:
+    """Has a property the numbers and sides of a name?"""
+    numbers = set(_NUMBER.findall(word))
+    sides = {side for pair in _SIDES for side in pair if side in word}
+    return (
+        bool(numbers or sides)
+        and numbers <= set(_NUMBER.findall(name))
+        and all(side in name for side in sides)
+    )
 
 
 def _symbols(read: Reading) -> Iterator[Oversight]:

@@ -52,6 +52,7 @@ def _pattern(path: str) -> str:
     return _EXPRESSION.sub("*", path)
 
 
+_CODE = r"\$\{([^{}]*)\}"
 _CALL = r"<xacro:([\w.]+)"
 
 
@@ -158,6 +159,15 @@ def is_called(document: Document, macro: str) -> bool:
     """Does a xacro file of the project call a macro of that name, as far as that is known?"""
     library = library_of(document)
     return library is None or macro in _project(library, document).written(_CALL)
+
+
+def is_read_in_project(document: Document, word: str) -> bool:
+    """Is a word in an expression of a xacro file of the project, as far as that is known?"""
+    library = library_of(document)
+    if library is None or not _project(library, document).is_whole:
+        return True
+    codes = _project(library, document).written(_CODE)
+    return any(word in code and re.search(rf"\b{re.escape(word)}\b", code) for code in codes)
 
 
 def has_namesake(document: Document) -> bool:

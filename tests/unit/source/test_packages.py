@@ -10,6 +10,7 @@ import pytest
 import sdfcheck
 from sdfcheck.files.library import Library, SearchPaths
 from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.files.regular import names_in
 from sdfcheck.xacro.expansion import expand
 
 
@@ -189,3 +190,26 @@ def test_folders_that_cannot_be_listed_hold_nothing(tmp_path: Path, monkeypatch:
 def test_folders_of_the_kernel_are_in_no_project() -> None:
     assert Packages(Path("/proc"), environment={}).names == []
     assert list(Packages(Path("/proc/self"), environment={}).files("", 9)) == []
+
+
+def test_folders_are_listed_once_until_they_are_forgotten(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for number in range(5):
+        (tmp_path / f"p{number}").mkdir()
+        (tmp_path / f"p{number}" / "a.yaml").write_text("")
+    packages, listed = Packages(tmp_path, environment={}), list[str]()
+
+    def noted(folder: str) -> list[str]:
+        listed.append(folder)
+        return names_in(folder)
+
+    monkeypatch.setattr("sdfcheck.files.packages.names_in", noted)
+    assert len(list(packages.files(".yaml", 100))) == 5
+    seen = len(listed)
+    (tmp_path / "p0" / "b.yaml").write_text("")
+    assert len(list(packages.files(".yaml", 100))) == 5
+    assert list(packages.files("c.dae", 100)) == []
+    assert len(listed) == seen
+    packages.forget()
+    assert len(list(packages.files(".yaml", 100))) == 6
