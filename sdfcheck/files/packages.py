@@ -365,7 +365,7 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
 def is_part(folder: str) -> bool:
     """Is a folder one of meshes or the like in a package, which no program takes for a package of its name?"""
     around = package_around(os.path.join(folder, "file")) if os.path.basename(folder) in _PARTS else None
-    return around is not None and around[0] != os.path.normpath(folder)
+    return around is not None and around[0] != os.path.abspath(folder)
 
 
 def is_of_ros_1(path: str | os.PathLike[str]) -> bool:

@@ -265,7 +265,7 @@ def unbuilt(document: Document) -> Iterator[Unbuilt]:
         names, verb = " and ".join(f"`{name}`" for name in folders[:3]), "are" if len(folders) > 1 else "is"
         more = f" (and {len(folders) - 3} more)" if len(folders) > 3 else ""
         yield Unbuilt(package, build, f"installs {names}{more}, which {verb} not there")
-    left_out = library.disk.view(os.path.dirname(document.path), _uninstalled)
+    left_out = library.disk.view(os.path.dirname(os.path.abspath(document.path)), _uninstalled)
     if left_out is not None and not left_out[1].startswith("test"):
         package, folder, build = left_out
         launches, wanted = library.of_project(document.path, _Launches).words, {package, document.path.name}

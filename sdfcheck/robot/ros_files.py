@@ -348,8 +348,8 @@ def _entries(node: Any) -> Iterator[tuple[Any, dict[str, Any], Any, Any]]:
 def _of_yaml(source: Source, node: Any) -> Iterator[Bridged]:
     """The topics that a file in YAML gives to a bridge."""
     for _, given, topic, kind in _entries(node):
-        way = given.get("direction")
-        direction = {"GZ_TO_ROS": "[", "ROS_TO_GZ": "]"}.get(getattr(way, "value", ""), "@")
+        ways = [each.value for each in (given.get("direction"),) if each is not None and each.id == "scalar"]
+        direction = {"GZ_TO_ROS": "[", "ROS_TO_GZ": "]"}.get("".join(ways), "@")
         yield Bridged(
             topic.value.strip("/ "), kind.value.rpartition(".")[2], span_of(source, topic), direction
         )
