@@ -22,7 +22,6 @@ class MergedMeshes(Rule):
 
     Or set `strippath` to false, and write paths from the folder of the robot, without `package://`.
     """
-    default = False
     looks_at = (Model,)
     needs = ("strippath",)
 

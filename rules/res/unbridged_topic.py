@@ -63,6 +63,12 @@ class UnbridgedTopic(Rule):
             files={"launch/sim.launch.py": LAUNCH},
             says="has no `<topic>`, and `sim.launch.py` takes `cmd_vel` to Gazebo, to which nobody listens",
         ),
+        Bad(
+            DRIVE.format("plugin", "<topic>«cmd_vel»</topic>"),
+            scaffold=IN_ROBOT,
+            files={"launch/sim.launch.py": LAUNCH.replace("/cmd_vel", "/model/r/cmd_vel")},
+            says="listens to `cmd_vel`, and `sim.launch.py` takes `model/r/cmd_vel` to Gazebo, to which nobody listens",
+        ),
     )
     good = (
         Good(SENSOR.format(""), files=bridge(MADE.format("a"))),

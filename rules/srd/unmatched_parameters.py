@@ -10,7 +10,7 @@ MANIFEST = {
 }
 SENT = (
     "moveit_simple_controller_manager:\n  controller_names: [{0}]\n  {0}:\n    type: FollowJointTrajectory\n"
-    "    joints: [{1}]\n"
+    "    action_ns: a\n    joints: [{1}]\n"
 )
 STARTED = (
     "controller_manager:\n  ros__parameters:\n    arm_controller: {type: "
@@ -31,7 +31,8 @@ class UnmatchedParameters(Rule):
     MoveIt says nothing of what it does not look for: limits of joints that are called otherwise, such as without their
     prefix, are not kept, and a group whose solver is under another name has no inverse kinematics. Trajectories go to a
     controller by its name: where the controller manager starts another one for these joints, MoveIt waits for it in
-    vain and does not move the robot. Looked at are the files in the package of the only SRDF file of it, for ROS 2.
+    vain and does not move the robot. Nor does it where no controller has a joint of the group that is planned for.
+    Looked at are the files in the package of the only SRDF file of it, for ROS 2.
     """
 
     code = "SRD015"
@@ -67,6 +68,12 @@ class UnmatchedParameters(Rule):
             file=FILE,
             files=files(moveit_controllers=SENT.format("c", "elbow")),
             says="sends joint `elbow`",
+        ),
+        Bad(
+            SRDF,
+            file=FILE,
+            files=files(servo="move_group_name: panda_arm\nee_frame_name: hand\n"),
+            says="`servo.yaml` names group `panda_arm` in `move_group_name`, which is not there",
         ),
     )
     good = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 
 from sdfcheck.files.regular import MEGABYTE, is_below, is_made_up, names_in, read_regular
@@ -25,12 +26,27 @@ _BUILT = ("install", "devel", "build")
 _INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
 _PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
 _REMARK = re.compile(r"#[^\n]*")
+_PARTS = frozenset(
+    {"config", "launch", "materials", "mesh", "meshes", "models", "robots", "stl", "urdf", "worlds", "xacro"}
+)
+"""Names of folders that packages have, and that no package has itself."""
 _GATHERED = re.compile(
     r"foreach|GLOB|\$\{CMAKE_CURRENT_SOURCE_DIR\}/?[\s\")]|DIRECTORY\s+\"?[.$]|INSTALL_TO_SHARE\s+\.|\bwalk\b|\*\*|listdir|"
     r"iterdir|rglob|find_packages?_data|package_files|generate_data_files",
     re.IGNORECASE,
 )
 """Words of a build that gathers folders without their names."""
+_GUARDED = re.compile(
+    r"\b(?:if|foreach|while|add_custom_command|add_custom_target|configure_file|file|execute_process|include|macro|function)\s*\(",
+    re.IGNORECASE,
+)
+"""Words of a build that may install a folder under a condition, or make it."""
+_MOST_INSTALLED = 100
+"""So many commands of a build that install, and folders in one, are looked at."""
+_TESTED = re.compile(
+    r"\bif\s*\(\s*BUILD_TESTING\s*\)(?:(?!\b(?:end)?if\s*\()[\s\S]){0,5000}\bendif\s*\([^)]*\)", re.IGNORECASE
+)
+_MADE = re.compile(r"[$*<>\\]|^/|^\.\.|^(?:PATTERN|FILES_MATCHING|USE_SOURCE_PERMISSIONS)$")
 PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
 """One of them is in a project of Python."""
 _STOP = frozenset(
@@ -266,7 +282,8 @@ class Packages:
                 yield share
         for folder in (*self.paths, self.root):
             same = self._folders_called(name, folder)
-            if len(same) == 1 and names_in(same[0]):  # a submodule that is not checked out is empty
+            # A submodule that is not checked out is empty.
+            if len(same) == 1 and names_in(same[0]) and not is_part(same[0]):
                 yield Path(same[0])
 
     def _package_files(self, root: Path) -> dict[str, list[Path]]:
@@ -378,6 +395,12 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
     return None
 
 
+def is_part(folder: str) -> bool:
+    """Is a folder one of meshes or the like in a package, which no program takes for a package of its name?"""
+    around = package_around(os.path.join(folder, "file")) if os.path.basename(folder) in _PARTS else None
+    return around is not None and around[0] != os.path.abspath(folder)
+
+
 def is_of_ros_1(path: str | os.PathLike[str]) -> bool:
     """Is the package that a file is in built by catkin alone?"""
     manifest = _manifest_around(path)
@@ -407,6 +430,31 @@ def uninstalled(folder: str) -> tuple[str, str, str] | None:
     if top == os.curdir or not text or is_named or _GATHERED.search(text):
         return None
     return around[1], top, build
+
+
+def absent_installs(folder: str) -> tuple[str, str, tuple[str, ...]] | None:
+    """A package of ROS 2 by its folder, its ``CMakeLists.txt``, and the absent folders that this installs.
+
+    None where there are none, or where a build may make them.
+    """
+    lists = os.path.join(folder, "CMakeLists.txt")
+    text = _TESTED.sub("", _REMARK.sub("", _read(Path(lists)))) if os.path.isfile(lists) else ""
+    if not text or _GUARDED.search(text) or not is_of_ros_2(lists):
+        return None
+    found = []
+    for match in islice(_INSTALL.finditer(text), _MOST_INSTALLED):
+        words = [word.strip('"') for word in match[2].split()]
+        if match[1].upper() != "DIRECTORY" or "DESTINATION" not in words or "OPTIONAL" in words:
+            continue
+        named = words[: words.index("DESTINATION")]
+        plain = [
+            name.rstrip("/")
+            for name in named[:_MOST_INSTALLED]
+            if name.rstrip("/") and not _MADE.search(name)
+        ]
+        found += [name for name in plain if not os.path.exists(os.path.join(folder, name))]
+    name = _package_name(os.path.join(folder, "package.xml"))
+    return (name, os.path.basename(lists), tuple(dict.fromkeys(found))) if found else None
 
 
 def is_of_python(path: str | os.PathLike[str]) -> bool:

@@ -14,7 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from sdfcheck.files.library import Disk, folders_above, library_of
-from sdfcheck.files.packages import TEMPLATE, package_around
+from sdfcheck.files.packages import TEMPLATE, is_part, package_around
 from sdfcheck.files.regular import MEGABYTE, is_below, names_in
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -241,9 +241,11 @@ def _packages(document: Document, name: str, around: _Surroundings) -> Iterator[
             yield str(found)
             yield str(found / "src" / name)  # Python installs what is beside its modules
     for above in around.above:
-        if os.path.basename(above) == name:
+        beside = os.path.join(above, name)
+        if os.path.basename(above) == name and not is_part(above):
             yield above
-        yield os.path.join(above, name)
+        if not is_part(beside):
+            yield beside
 
 
 _MOST_LIKE = 20

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.library import library_of
+from sdfcheck.formats.near_names import Effort, suggest
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
@@ -28,6 +29,15 @@ _MANAGER = "controller_manager"
 PARAMETERS = "ros__parameters"
 _DEEPEST = 4
 """So deep are the names of nodes, with those of namespaces around them."""
+_MOST_READ = 1_000
+"""So many parameters of a controller are compared."""
+_SIGNS = (
+    {"joints", "command_interfaces"},
+    {"joints", "interface_name"},
+    {"left_wheel_names", "right_wheel_names"},
+    {"sensor_name", "frame_id"},
+)
+"""Parameters that a controller has, and another node has not."""
 _MOST = 10_000
 """So many needs are known of one file."""
 
@@ -44,6 +54,8 @@ class Kind(NamedTuple):
     """Parameters that name joints which steer, to the left by positive angles."""
     types: str = ""
     """Its parameters that have a type: that, then the patterns of their names, one after the other."""
+    names: str = ""
+    """All of its parameters, in any release, without those in mappings; empty where they are not known."""
 
 
 _GROUP = ("joints",)
@@ -62,32 +74,69 @@ _TRAJECTORY = (
     "constraints.goal_time constraints.*.trajectory constraints.*.goal "
     "gains.*.p gains.*.i gains.*.d gains.*.i_clamp gains.*.ff_velocity_scale"
 )
+_FOR_FINGER = (
+    "joint action_monitor_rate allow_stalling goal_tolerance max_effort stall_timeout "
+    "stall_velocity_threshold"
+)
+_FOR_ODOMETRY = (
+    "odom_frame_id base_frame_id open_loop position_feedback enable_odom_tf use_stamped_vel tf_frame_prefix "
+    "velocity_rolling_window_size pose_covariance_diagonal twist_covariance_diagonal "
+)
+_FOR_TRAJECTORY = (
+    "joints command_joints command_interfaces state_interfaces allow_partial_joints_goal open_loop_control "
+    "state_publish_rate action_monitor_rate cmd_timeout constraints gains speed_scaling positions_upsampling "
+    "allow_integration_in_goal_trajectories allow_nonzero_velocity_at_trajectory_end allow_trajectory_replacement "
+    "interpolate_from_desired_state interpolation_method start_with_holding "
+    "set_last_command_interface_value_as_state_on_activation"
+)
 _DRIVE = Kind(
     ("left_wheel_names", "right_wheel_names"),
     command="velocity",
     types=f"{_ODOMETRY} list: left_wheel_names right_wheel_names number: wheel_separation wheel_radius *_multiplier "
     f"cmd_vel_timeout publish_rate {_LIMITS.format('linear.x')} {_LIMITS.format('angular.z')}",
+    names=f"{_FOR_ODOMETRY} left_wheel_names right_wheel_names wheel_separation wheel_radius wheels_per_side linear "
+    "wheel_separation_multiplier left_wheel_radius_multiplier right_wheel_radius_multiplier wheel_radius_multiplier "
+    "angular cmd_vel_timeout publish_rate publish_limited_velocity tf_frame_prefix_enable",
+)
+_MECANUM = Kind(
+    tuple(
+        f"{end}_wheel_command_joint_name" for end in ("front_left", "rear_left", "front_right", "rear_right")
+    ),
+    command="velocity",
+    types="text: *_joint_name base_frame_id odom_frame_id bool: enable_odom_tf use_stamped_vel "
+    "number: reference_timeout kinematics.*",
+    names="front_left_wheel_command_joint_name rear_left_wheel_command_joint_name "
+    "front_right_wheel_command_joint_name rear_right_wheel_command_joint_name front_left_wheel_state_joint_name "
+    "rear_left_wheel_state_joint_name front_right_wheel_state_joint_name rear_right_wheel_state_joint_name kinematics "
+    "linear angular reference_timeout base_frame_id odom_frame_id enable_odom_tf use_stamped_vel tf_frame_prefix "
+    "tf_frame_prefix_enable pose_covariance_diagonal twist_covariance_diagonal",
 )
 _CAR = Kind(
     ("traction_joints_names",),
     command="velocity",
     steered=("steering_joints_names",),
     types=f"{_ODOMETRY} list: *_names number: reference_timeout wheelbase *wheel_track *_track_width *wheels_radius",
+    names=f"{_FOR_ODOMETRY} front_steering reference_timeout wheelbase wheel_track front_wheel_track rear_wheel_track "
+    "front_wheel_radius front_wheels_radius rear_wheel_radius rear_wheels_radius front_wheels_names rear_wheels_names "
+    "front_wheels_state_names rear_wheels_state_names traction_joints_names traction_joints_state_names "
+    "steering_joints_names steering_joints_state_names steering_track_width traction_track_width "
+    "traction_wheel_radius traction_wheels_radius reduce_wheel_speed_until_steering_reached",
 )
-_JOINTS = Kind(_GROUP, types="list: joints")
-_SENSOR = Kind(sensor="sensor_name", types="text: sensor_name frame_id")
+_JOINTS = Kind(_GROUP, types="list: joints", names="joints interface_name")
+_SENSOR = Kind(sensor="sensor_name", types="text: sensor_name frame_id", names="sensor_name frame_id")
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
 _KINDS: Mapping[str, Kind] = {
     "joint_trajectory_controller/JointTrajectoryController": Kind(
-        _GROUP, "command_interfaces", "state_interfaces", types=_TRAJECTORY
+        _GROUP, "command_interfaces", "state_interfaces", types=_TRAJECTORY, names=_FOR_TRAJECTORY
     ),
     "forward_command_controller/ForwardCommandController": Kind(
-        _GROUP, "interface_name", types="list: joints text: interface_name"
+        _GROUP, "interface_name", types="list: joints text: interface_name", names="joints interface_name"
     ),
     "position_controllers/JointGroupPositionController": _JOINTS._replace(command="position"),
     "velocity_controllers/JointGroupVelocityController": _JOINTS._replace(command="velocity"),
     "effort_controllers/JointGroupEffortController": _JOINTS._replace(command="effort"),
     "diff_drive_controller/DiffDriveController": _DRIVE,
+    "mecanum_drive_controller/MecanumDriveController": _MECANUM,
     "ackermann_steering_controller/AckermannSteeringController": _CAR,
     "bicycle_steering_controller/BicycleSteeringController": _CAR,
     "tricycle_steering_controller/TricycleSteeringController": _CAR,
@@ -96,11 +145,20 @@ _KINDS: Mapping[str, Kind] = {
         command="velocity",
         steered=("steering_joint_name",),
         types=f"{_ODOMETRY} text: *_joint_name integer: cmd_vel_timeout number: wheelbase wheel_radius",
+        names=f"{_FOR_ODOMETRY} traction_joint_name steering_joint_name wheelbase wheel_radius cmd_vel_timeout "
+        "traction steering odom_only_twist publish_ackermann_command",
     ),
-    "position_controllers/GripperActionController": Kind(("joint",), command="position", types=_FINGER),
-    "effort_controllers/GripperActionController": Kind(("joint",), command="effort", types=_FINGER),
+    "position_controllers/GripperActionController": Kind(
+        ("joint",), command="position", types=_FINGER, names=_FOR_FINGER
+    ),
+    "effort_controllers/GripperActionController": Kind(
+        ("joint",), command="effort", types=_FINGER, names=_FOR_FINGER
+    ),
     "parallel_gripper_action_controller/GripperActionController": Kind(
-        ("joint",), command="position", types=f"{_FINGER} max_velocity"
+        ("joint",),
+        command="position",
+        types=f"{_FINGER} max_velocity",
+        names=f"{_FOR_FINGER} max_effort_interface max_velocity max_velocity_interface state_interfaces",
     ),
     "imu_sensor_broadcaster/IMUSensorBroadcaster": _SENSOR,
     "force_torque_sensor_broadcaster/ForceTorqueStateBroadcaster": _SENSOR,
@@ -176,6 +234,16 @@ class Mistyped(NamedTuple):
     more: int = 0
 
 
+class Misspelled(NamedTuple):
+    """A parameter that a controller does not read, and one that it reads, does not get, and is called nearly so."""
+
+    owner: str
+    kind: str
+    name: str
+    meant: str
+    span: Span
+
+
 class Unreached(NamedTuple):
     """A controller without parameters, or the controller manager itself.
 
@@ -207,6 +275,9 @@ class ControllerFile(NamedTuple):
     broadcaster: str = ""
     """The controller that publishes the states of all joints."""
     mistyped: tuple[Mistyped, ...] = ()
+    misspelled: tuple[Misspelled, ...] = ()
+    untyped: tuple[Parameter, ...] = ()
+    """The names of nodes with the parameters of a controller, of which no type is declared."""
     unreached: tuple[Unreached, ...] = ()
     miscounted: tuple[Miscounted, ...] = ()
     manager: Parameter | None = None
@@ -263,15 +334,23 @@ def _controllers(source: Source) -> ControllerFile:
     needs = (
         need for name, kind, parameters in known for need in _of_controller(source, name, kind, parameters)
     )
+    unreached = () if "**" in nodes else tuple(_unreached(source, paths, nodes, found))
+    strays = {each.stray.rpartition("/")[2] for each in unreached} | ({*nodes} if "**" in nodes else set())
     key = paths.get(_MANAGER)
     is_alone = key is not None and "**" not in paths and not any("/" in path for path in paths)
     return ControllerFile(
         tuple(islice(needs, _MOST)),
-        tuple(filter(None, (_drive(source, name, each) for name, kind, each in known if kind is _DRIVE))),
+        tuple(filter(None, (_drive(source, name, kind, each) for name, kind, each in known))),
         tuple(filter(None, (_carried(source, name, kind, each) for name, kind, each in known))),
         next((name for name, declared in types.items() if _is_broadcaster(declared)), ""),
         tuple(_mistyped(source, [(_MANAGER, _FOR_MANAGER, nodes.get(_MANAGER)), *known])),
-        () if "**" in nodes else tuple(_unreached(source, paths, nodes, found)),
+        tuple(_misspelled(source, nodes, declared)),
+        tuple(
+            each
+            for each in _untyped(source, paths, declared)
+            if any(types.values()) and each.name not in strays
+        ),
+        unreached,
         tuple(each for name in nodes for each in _miscounted(source, name, declared[name], nodes[name])),
         Parameter("name", _MANAGER, span_of(source, key[0])) if key is not None and is_alone else None,
     )
@@ -322,9 +401,15 @@ def _joints(kind: Kind, parameters: Any) -> tuple[list[Any], list[Any]]:
     return driven, steered
 
 
-def _drive(source: Source, name: str, parameters: Any) -> WrittenDrive | None:
+def _drive(source: Source, name: str, kind: Kind, parameters: Any) -> WrittenDrive | None:
     """The wheels of a drive; what a factor corrects is not known."""
-    sides = [_written(source, parameters, each) for each in _DRIVE.joints]
+    if kind not in {_DRIVE, _MECANUM}:
+        return None
+    half = len(kind.joints) // 2
+    sides = [
+        tuple(wheel for each in names for wheel in _written(source, parameters, each))
+        for names in (kind.joints[:half], kind.joints[half:])
+    ]
     if not sides[0] or len(sides[0]) != len(sides[1]):
         return None
     separation, radius = (
@@ -391,6 +476,33 @@ def _unreached(
             yield Unreached(name, "", span_of(source, next(k for k, _ in entry.value if k.value == inner)))
         elif len(fitting) == 1:
             yield Unreached(name, fitting[0][0], span_of(source, fitting[0][1]))
+
+
+def _misspelled(
+    source: Source, nodes: Mapping[str, Any], declared: Mapping[str, Sequence[Any]]
+) -> Iterator[Misspelled]:
+    """The parameters that a controller does not read, and that are called nearly as one that it does not get."""
+    effort = Effort()
+    for owner, parameters in nodes.items():
+        kind = _kind(declared[owner])
+        names = kind.names.split() if kind is not None else []
+        given = {key.value: key for key, _ in islice(_keys(parameters), _MOST_READ)}
+        left = [name for name in names if name not in given]
+        for name, key in given.items() if left else ():
+            if name not in names and (meant := suggest(name, left, effort)) is not None:
+                word = declared[owner][0].value.rpartition("/")[2]
+                yield Misspelled(owner, word, name, meant, span_of(source, key))
+
+
+def _untyped(
+    source: Source, paths: Mapping[str, Any], declared: Mapping[str, Sequence[Any]]
+) -> Iterator[Parameter]:
+    """The nodes with parameters of a controller and without its type."""
+    for path, (key, parameters) in paths.items():
+        name = path.rpartition("/")[2]
+        given = {each for each, _ in pairs(parameters)}
+        if not declared[name] and name != _MANAGER and any(given.issuperset(one) for one in _SIGNS):
+            yield Parameter(name, name, span_of(source, key))
 
 
 # The types of parameters, as ROS 2 tells them apart: a number has a point, and takes no whole number in its place.
@@ -474,13 +586,30 @@ def _flat(node: Any, name: str, depth: int) -> Iterator[tuple[str, Any]]:
 
 # The files of MoveIt beside an SRDF file.
 
-LIMITS, SOLVERS, SENT, STARTED, PLANNERS = MOVEIT_FILES = (
+LIMITS, SOLVERS, SENT, STARTED, PLANNERS, SENSORS, SERVO = MOVEIT_FILES = (
     "joint_limits.yaml",
     "kinematics.yaml",
     "moveit_controllers.yaml",
     "ros2_controllers.yaml",
     "ompl_planning.yaml",
+    "sensors_3d.yaml",
+    "servo.yaml",
 )
+_SENT_TYPES = ("FollowJointTrajectory", "GripperCommand", "ParallelGripperCommand")
+_OCTOMAPS: Mapping[str, tuple[str, ...]] = {
+    "PointCloudOctomapUpdater": (
+        "point_cloud_topic",
+        "max_range",
+        "padding_offset",
+        "padding_scale",
+        "point_subsample",
+        "max_update_rate",
+        "filtered_cloud_topic",
+    ),
+    "DepthImageOctomapUpdater": ("image_topic",),
+}
+"""A plugin that makes MoveIt's map of what is around → the parameters without which it does not."""
+_SERVO = ("move_group_name", "ee_frame_name", "robot_link_command_frame")
 _ADAPTERS = {"humble": "default_planner_request_adapters", "jazzy": "response_adapters"}
 _SENDER = "moveit_simple_controller_manager"
 _SWITCHED = ("velocity", "acceleration", "jerk")
@@ -499,6 +628,13 @@ class SentController(NamedTuple):
         return self.name.content.rpartition("/")[2]
 
 
+class RefusedEntry(NamedTuple):
+    """A controller or sensor that MoveIt leaves out, in words, with a place."""
+
+    words: str
+    span: Span
+
+
 class MoveItFiles(NamedTuple):
     """The content of the files of parameters of MoveIt."""
 
@@ -512,6 +648,11 @@ class MoveItFiles(NamedTuple):
     mistyped: tuple[Mistyped, ...] = ()
     release: str = ""
     """For which releases its pipeline of planners is written: before ``jazzy``, or from then on; empty if not known."""
+    refused: tuple[RefusedEntry, ...] = ()
+    handled: frozenset[str] = frozenset()
+    """The joints of all controllers that MoveIt knows."""
+    servo: tuple[Parameter, ...] = ()
+    """The group and the links of MoveIt's servo."""
 
     def started_instead(self, sent: SentController) -> str:
         """The controller that is started for the joints of one that is not started, and to which nothing is sent."""
@@ -545,6 +686,12 @@ def moveit_files(texts: Mapping[str, Source]) -> MoveItFiles:
             ),
             "",
         ),
+        (
+            *(_refused_sent(texts[SENT], sent) if sent is not None else ()),
+            *(_refused_sensors(texts[SENSORS], nodes[SENSORS]) if nodes.get(SENSORS) is not None else ()),
+        ),
+        frozenset(_handled(sent)),
+        tuple(_servo(texts[SERVO], nodes[SERVO], 0)) if nodes.get(SERVO) is not None else (),
     )
 
 
@@ -582,6 +729,60 @@ def _sent(source: Source, node: Any) -> Iterator[SentController]:
         if _is(entry, "type", "followjointtrajectory"):
             parameter = Parameter("controller_names", name.value, span_of(source, name))
             yield SentController(parameter, _written(source, entry, "joints"))
+
+
+def _refused_sent(source: Source, node: Any) -> Iterator[RefusedEntry]:
+    """The controllers that MoveIt has in its list, and leaves out."""
+    sender = _get(node, _SENDER)
+    for name in _texts(_get(sender, "controller_names")):
+        entry = _get(sender, name.value)
+        kind = next((each.value for each in _texts(_get(entry, "type"))), None)
+        given = {each for each, _ in pairs(entry)}
+        lacked = next((each for each in ("action_ns", "type", "joints") if each not in given), None)
+        if entry is None:
+            words = f"lists controller `{name.value}`, and has no entry for it"
+        elif lacked is not None:
+            words = f"has no `{lacked}` for controller `{name.value}`"
+        elif kind is not None and kind not in _SENT_TYPES:
+            words = (
+                f"has type `{kind}` for controller `{name.value}`, and MoveIt knows {', '.join(_SENT_TYPES)}"
+            )
+        else:
+            continue
+        yield RefusedEntry(words, span_of(source, name))
+
+
+def _refused_sensors(source: Source, node: Any) -> Iterator[RefusedEntry]:
+    """The sensors that MoveIt has in its list, and leaves out."""
+    listed = _get(node, "sensors")
+    for entry in listed.value if getattr(listed, "id", "") == "sequence" else ():
+        if entry.id == "mapping" and _get(entry, "sensor_plugin") is not None:
+            yield RefusedEntry(
+                "lists a mapping in `sensors`, and MoveIt reads names there", span_of(source, entry)
+            )
+    for name in _texts(listed):
+        entry = _get(node, name.value)
+        plugin = next((each for each in _texts(_get(entry, "sensor_plugin"))), None)
+        asked = _OCTOMAPS.get(plugin.value.rpartition("/")[2], ()) if plugin is not None else ()
+        given = {each for each, _ in pairs(entry)}
+        lacked = [f"`{each}`" for each in asked if each not in given]
+        if lacked:
+            words = f"has no {' and '.join(lacked)} for sensor `{name.value}`"
+            yield RefusedEntry(words, span_of(source, plugin))
+
+
+def _handled(node: Any) -> Iterator[str]:
+    sender = _get(node, _SENDER)
+    for name in _texts(_get(sender, "controller_names")):
+        yield from (each.value for each in _texts(_get(_get(sender, name.value), "joints")))
+
+
+def _servo(source: Source, node: Any, depth: int) -> Iterator[Parameter]:
+    for name, value in pairs(node):
+        if value.id == "mapping" and depth < _DEEPEST:
+            yield from _servo(source, value, depth + 1)
+        elif name in _SERVO:
+            yield from (Parameter(name, each.value, span_of(source, each)) for each in _texts(value))
 
 
 # YAML as nodes: nothing in it is constructed.

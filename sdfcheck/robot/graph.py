@@ -61,7 +61,14 @@ if TYPE_CHECKING:
     from sdfcheck.bodies.box import Box
     from sdfcheck.bodies.solid import Skin
     from sdfcheck.formats.plugins import Naming, PluginFacts
-    from sdfcheck.robot.controllers import ControllerFile, ControllerNeed, Mistyped, Parameter, WrittenDrive
+    from sdfcheck.robot.controllers import (
+        ControllerFile,
+        ControllerNeed,
+        Misspelled,
+        Mistyped,
+        Parameter,
+        WrittenDrive,
+    )
     from sdfcheck.robot.includes.included import Included, Obstacle
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.motion.origin import Triple
@@ -3354,6 +3361,11 @@ class Model(Scope):
     def mistyped(self) -> Iterator[tuple[Plugin, Mistyped]]:
         """The parameters of controllers that are of another type than they declare, each with the plugin as above."""
         return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.mistyped)
+
+    @property
+    def misspelled_parameters(self) -> Iterator[tuple[Plugin, Misspelled]]:
+        """The parameters that a controller does not read, each with the plugin as above, and what was meant."""
+        return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.misspelled)
 
     @lazy
     def idle_broadcaster(self) -> str:

@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.library import library_of
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
+from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Disk
+    from sdfcheck.files.packages import Packages
     from sdfcheck.files.uris import Location
     from sdfcheck.robot.includes.included import Obstacle
     from sdfcheck.robot.includes.uri_spelling import Misspelling, OtherCase
@@ -48,6 +50,9 @@ _PLACES: dict[str, frozenset[str]] = {
 }
 """Elements of SDFormat whose text names a file, and the parents below which it does."""
 
+_NAMES = re.compile(r"[\w.-]+")
+_LOOKED_UP = ("get_package_share", "FindPackageShare", "$(find")
+"""Words by which a launch file looks a file up in the place where packages are installed."""
 _WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
 _TEXTURED = frozenset({"projector", "sky"})
 _SHIPPED = re.compile(r"file://media/.*/|__default__")
@@ -201,12 +206,10 @@ class Resource(FileUse):
         if location is None or not is_inside or location.owner is not None:
             return None
         library, own = library_of(self.document), self.document.view(_own_package)
-        has_it = (
-            own is not None
-            and library is not None
-            and library.disk.has(os.path.join(own[0], location.inside))
-        )
-        return own[1] if own is not None and has_it else None
+        if own is None or library is None:
+            return None
+        places = (location.inside, os.path.join(location.name, location.inside))
+        return own[1] if any(library.disk.has(os.path.join(own[0], place)) for place in places) else None
 
     @property
     def uninstalled(self) -> tuple[str, str, str] | None:
@@ -241,6 +244,55 @@ def _uninstalled(folder: str, disk: Disk) -> tuple[str, str, str] | None:
     from sdfcheck.files.packages import uninstalled
 
     return uninstalled(folder)
+
+
+class Unbuilt(NamedTuple):
+    """A folder that the build of a package gets wrong: the package, the file that says what is installed, and words."""
+
+    package: str
+    build: str
+    words: str
+
+
+def unbuilt(document: Document) -> Iterator[Unbuilt]:
+    """The faults in the build of a description's package: its own folder is left out, or others are not there."""
+    library, own = library_of(document), document.view(_own_package)
+    if library is None or own is None:
+        return
+    absent = library.disk.view(own[0], _absent)
+    if absent is not None:
+        package, build, folders = absent
+        names, verb = " and ".join(f"`{name}`" for name in folders[:3]), "are" if len(folders) > 1 else "is"
+        more = f" (and {len(folders) - 3} more)" if len(folders) > 3 else ""
+        yield Unbuilt(package, build, f"installs {names}{more}, which {verb} not there")
+    left_out = library.disk.view(os.path.dirname(os.path.abspath(document.path)), _uninstalled)
+    if left_out is not None and not left_out[1].startswith("test"):
+        package, folder, build = left_out
+        launches, wanted = library.of_project(document.path, _Launches).words, {package, document.path.name}
+        named = next((path for path, words in launches if words >= wanted), None)
+        if named is not None:
+            yield Unbuilt(
+                package, build, f"does not install `{folder}`, from which `{named.name}` takes this file"
+            )
+
+
+class _Launches:
+    """The words of the launch files of a project that look files up in packages."""
+
+    def __init__(self, packages: Packages) -> None:
+        from sdfcheck.xacro.static.launches import launch_texts
+
+        self.words = [
+            (path, frozenset(_NAMES.findall(text)))
+            for path, text in launch_texts(packages)
+            if any(word in text for word in _LOOKED_UP)
+        ]
+
+
+def _absent(folder: str, disk: Disk) -> tuple[str, str, tuple[str, ...]] | None:
+    from sdfcheck.files.packages import absent_installs
+
+    return absent_installs(folder)
 
 
 def _own_package(document: Document) -> tuple[str, str] | None:

@@ -40,7 +40,7 @@ from sdfcheck.robot.graph import (
     World,
 )
 from sdfcheck.robot.part import Custom, Frame, Node, Part, Placement, Setting, Whole, pick
-from sdfcheck.robot.resources import Resource
+from sdfcheck.robot.resources import Resource, Unbuilt, unbuilt
 from sdfcheck.robot.shapes import Geometry, Material, Surface
 from sdfcheck.robot.values import lazy, reference_value
 from sdfcheck.source.document import Value
@@ -48,9 +48,10 @@ from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
+    from sdfcheck.robot.controllers import Parameter
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.ros_files import BaseFrame, BridgeGap
+    from sdfcheck.robot.ros_files import BaseFrame, BridgeFault, BridgeGap
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
 
@@ -314,6 +315,45 @@ class Root(Whole):
         from sdfcheck.robot.ros_files import gaps
 
         return tuple(gaps(self.document, self.each(Sensor), self.each(Plugin)))
+
+    @lazy
+    def unbuilt(self) -> tuple[Unbuilt, ...]:
+        """The faults in the build of its package, if the file says something of its own."""
+        is_whole = bool(self.worlds) or any(model.links for model in self.models)
+        return tuple(unbuilt(self.document)) if is_whole else ()
+
+    @lazy
+    def tabs_in_parameters(self) -> tuple[Span, ...]:
+        """A tab in each file of parameters in its package that no program can read for it."""
+        if not any(model.links for model in self.models):
+            return ()
+        from sdfcheck.robot.ros_files import tabs_in_parameters
+
+        return tuple(tabs_in_parameters(self.document))
+
+    @lazy
+    def untyped_controllers(self) -> tuple[tuple[Plugin, Parameter], ...]:
+        """The controllers that are started and have parameters and no type, each with the plugin of their file."""
+        found = [
+            (plugin, plugin.controllers.untyped)
+            for model in self.models
+            for plugin in model.control_plugins
+            if plugin.controllers.untyped
+        ]
+        if not found:
+            return ()
+        from sdfcheck.robot.ros_files import started_untyped
+
+        return tuple((one, each) for one, names in found for each in started_untyped(self.document, names))
+
+    @lazy
+    def bridge_faults(self) -> tuple[BridgeFault, ...]:
+        """The entries of bridges of the project that are not taken, and are for its sensors and systems."""
+        if not self.elements.get("sensor") and not self.elements.get("plugin"):
+            return ()
+        from sdfcheck.robot.ros_files import faults
+
+        return tuple(faults(self.document, self.each(Sensor), self.each(Plugin)))
 
     @lazy
     def missing_bases(self) -> tuple[BaseFrame, ...]:

@@ -8,6 +8,7 @@ and then nothing is said about messages of that type.
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain, islice
@@ -15,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import Packages
+from sdfcheck.files.packages import Packages, package_around
 from sdfcheck.files.regular import read_regular
-from sdfcheck.robot.controllers import LARGEST, PARAMETERS, UNKNOWN, composed, pairs, span_of
+from sdfcheck.robot.controllers import LARGEST, PARAMETERS, UNKNOWN, Parameter, composed, pairs, span_of
 from sdfcheck.robot.graph import Plugin, Sensor
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Value
@@ -46,6 +47,8 @@ _REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
 _ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
 """A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
 _NAME = re.compile(r"\w+")
+_NAMES = re.compile(r"[\w.-]+")
+"""Words, and names of files."""
 _WORD = re.compile(r"[a-z]+|\d+")
 _SAID = re.compile(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
 _MOST_TOPICS = 5_000
@@ -113,6 +116,23 @@ _OTHERWISE = frozenset(("sub_topic", "steering_only", "use_actuator_msg"))
 """Parameters with which a system takes other topics."""
 _COMMANDS = frozenset(("Double", "Twist"))
 _INFO = "CameraInfo"
+_PAIRS: Mapping[str, str] = {
+    "actuator_msgs": "Actuators",
+    "builtin_interfaces": "Time",
+    "geometry_msgs": "Point=Vector3d Pose PoseArray=Pose_V PoseStamped=Pose PoseWithCovariance Quaternion "
+    "PoseWithCovarianceStamped=PoseWithCovariance Transform=Pose TransformStamped=Pose Twist TwistStamped=Twist "
+    "TwistWithCovariance TwistWithCovarianceStamped=TwistWithCovariance Vector3=Vector3d Wrench WrenchStamped=Wrench",
+    "nav_msgs": "Odometry Odometry=OdometryWithCovariance",
+    "rosgraph_msgs": "Clock",
+    "sensor_msgs": "BatteryState CameraInfo FluidPressure Image Imu=IMU JointState=Model Joy LaserScan "
+    "MagneticField=Magnetometer NavSatFix=NavSat PointCloud2=PointCloudPacked",
+    "std_msgs": "Bool=Boolean ColorRGBA=Color Empty Float32=Float Float64=Double Header Int32 String=StringMsg UInt32",
+    "tf2_msgs": "TFMessage=Pose_V",
+    "trajectory_msgs": "JointTrajectory",
+}
+"""Package of ROS → its messages that a bridge carries, each with the one of Gazebo if that has another name."""
+_WAYS = {"gz": ("BIDIRECTIONAL", "GZ_TO_ROS", "ROS_TO_GZ"), "ign": ("IGN_TO_ROS", "ROS_TO_IGN")}
+_REFUSED_NAME = re.compile(r"[^\w/~]|//|/\Z|(?:^|/)\d")
 
 
 # Bridges between ROS and Gazebo.
@@ -151,6 +171,25 @@ class BridgeGap(NamedTuple):
         return self.message in _COMMANDS
 
 
+class BridgeFault(NamedTuple):
+    """An entry of a bridge that it does not take: words about it, and how many more there are of the kind."""
+
+    part: Sensor | Plugin
+    """That whose topic it is."""
+    words: str
+    span: Span
+    more: int
+
+
+class _Fault(NamedTuple):
+    """An entry that a bridge does not take, with its topic in Gazebo; ``kind``: what all such have in common."""
+
+    topic: str
+    kind: str
+    words: str
+    span: Span
+
+
 def _words(text: str) -> Set[str]:
     return frozenset(_WORD.findall(text.lower()))
 
@@ -163,13 +202,14 @@ def _is_made(topic: str) -> bool:
 class _Bridges:
     """The topics that the bridges of a project carry."""
 
-    __slots__ = ("_is_open", "_packages", "_said", "carried", "unknown")
+    __slots__ = ("_is_open", "_packages", "_said", "carried", "faults", "unknown")
 
     def __init__(self, packages: Packages) -> None:
         self._packages = packages
         self._said: dict[Path, tuple[frozenset[str], bool]] | None = None
         self._is_open = False
         self.carried: list[Bridged] = []
+        self.faults: list[_Fault] = []
         self.unknown: set[str] = set()
         """Types of messages that are carried on topics which are not known; empty text: all types."""
         launches = (each for each in launch_texts(packages) if ".msgs." in each[1] or "_bridge" in each[1])
@@ -178,7 +218,9 @@ class _Bridges:
         files = ((path, _text(path, LARGEST)) for path in _files(packages, (".yaml", ".yml")))
         entries = ((path, text) for path, text in files if any(key in text for key in _TYPES))
         for path, text in self._within(entries):
-            self._take(list(_of_yaml(Source(path, text, is_foreign=True))))
+            source, node = Source(path, text, is_foreign=True), composed(text)
+            self._take(list(_of_yaml(source, node)))
+            self.faults += islice(_faults(source, node), _MOST_CARRIED - len(self.faults))
 
     def _within(self, texts: Iterable[tuple[Path, str]]) -> Iterator[tuple[Path, str]]:
         """The first texts, as far as they may be parsed; with more of them all types are unknown."""
@@ -293,19 +335,72 @@ def _is_whole(node: ast.expr) -> bool:
     return not isinstance(node, ast.Call | ast.Name)
 
 
-def _of_yaml(source: Source) -> Iterator[Bridged]:
-    """The topics that a file in YAML gives to a bridge."""
-    for entry in _mappings(composed(source.text), 0, set()):
+def _entries(node: Any) -> Iterator[tuple[Any, dict[str, Any], Any, Any]]:
+    """The entries for a bridge in YAML: the mapping, its values, the topic in Gazebo and its type."""
+    for entry in _mappings(node, 0, set()):
         given = dict(pairs(entry))
         topic = next((given[key] for key in (*_KEYS, "topic_name", "ros_topic_name") if key in given), None)
         kind = next((given[key] for key in _TYPES if key in given), None)
-        if topic is None or topic.id != "scalar" or kind is None or kind.id != "scalar":
-            continue
-        way = given.get("direction")
-        direction = {"GZ_TO_ROS": "[", "ROS_TO_GZ": "]"}.get(getattr(way, "value", ""), "@")
+        if topic is not None and topic.id == "scalar" and kind is not None and kind.id == "scalar":
+            yield entry, given, topic, kind
+
+
+def _of_yaml(source: Source, node: Any) -> Iterator[Bridged]:
+    """The topics that a file in YAML gives to a bridge."""
+    for _, given, topic, kind in _entries(node):
+        ways = [each.value for each in (given.get("direction"),) if each is not None and each.id == "scalar"]
+        direction = {"GZ_TO_ROS": "[", "ROS_TO_GZ": "]"}.get("".join(ways), "@")
         yield Bridged(
             topic.value.strip("/ "), kind.value.rpartition(".")[2], span_of(source, topic), direction
         )
+
+
+def _faults(source: Source, node: Any) -> Iterator[_Fault]:
+    """The entries of a bridge's file that it does not take, each with the first reason."""
+    for entry, given, topic, kind in _entries(node):
+        texts = {name: value.value for name, value in given.items() if value.id == "scalar"}
+        found = None if any(map(UNKNOWN.search, texts.values())) else _refused(texts)
+        if entry is node:
+            found = "list", "is one mapping, and a bridge reads a list of them", ""
+        if found is not None:
+            reason, words, parameter = found
+            span = span_of(source, given.get(parameter, topic if entry is node else kind))
+            yield _Fault(topic.value.strip("/ "), reason, words, span)
+
+
+def _refused(texts: Mapping[str, str]) -> tuple[str, str, str] | None:
+    """Why a bridge does not take an entry: the reason in a word and in a clause, and the parameter that shows it."""
+    ros = next((key for key in ("ros_topic_name", "topic_name", *_KEYS) if key in texts), "")
+    way = texts.get("direction", "GZ_TO_ROS")
+    if (both := {"topic_name", "ros_topic_name", *_KEYS}.intersection(texts)) > {"topic_name"}:
+        other = min(both - {"topic_name"})
+        return "both", f"has both `topic_name` and `{other}`, which exclude each other", "topic_name"
+    if match := _REFUSED_NAME.search(texts.get(ros, "")):
+        begins = "a part of it begins with a digit" if match[0][-1:].isdigit() else f"it has `{match[0]}`"
+        return "name", f"gives the topic `{texts[ros]}`, which ROS refuses: {begins}", ros
+    if not any(way in ways for ways in _WAYS.values()):
+        return (
+            "direction",
+            f"gives the direction `{way}`, one of {', '.join(_WAYS['gz'])} is asked for",
+            "direction",
+        )
+    if "ros_type_name" not in texts:
+        return "type", "gives a topic without `ros_type_name`", ""
+    return _unpaired(texts["ros_type_name"], next(texts[key] for key in _TYPES if key in texts))
+
+
+def _unpaired(ros: str, gazebo: str) -> tuple[str, str, str] | None:
+    """Words about two types of messages that no bridge has, where it is known which one it has instead."""
+    package, _, name = ros.replace("/msg/", "/").rpartition("/")
+    space, _, other = gazebo.rpartition(".")
+    known = [each.partition("=")[::2] for each in _PAIRS.get(package, "").split()]
+    partners = [one for one, partner in known if (partner or one) == other]
+    if other and space not in {"gz.msgs", "ignition.msgs"} and space.rpartition("_")[2] == "msgs":
+        return "pair", f"has the type `{gazebo}`, and Gazebo calls it `gz.msgs.{other}`", _TYPES[0]
+    if not partners or name in {one for one, _ in known if one in partners} or package == "sensor_msgs":
+        return None
+    words = f"bridges `{ros}` with `{gazebo}`, whose partner is `{package}/msg/{partners[0]}`"
+    return "pair", words, "ros_type_name"
 
 
 def _mappings(node: Any, depth: int, seen: set[int]) -> Iterator[Any]:
@@ -341,8 +436,23 @@ class _End(NamedTuple):
 
     def may_be_meant_by(self, carried: Bridged) -> bool:
         """May a topic that nobody has be meant for it: one that a person chose, or one made of its name?"""
+        own = (f"model/{self.model}/{each}" for each in chain.from_iterable((self.topics or {}).values()))
         is_named = not _is_made(carried.topic) or f"/sensor/{self.part.name}/" in carried.topic
-        return is_named and carried.goes(self.way)
+        return (is_named or carried.topic in own) and carried.goes(self.way)
+
+    def has(self, topic: str) -> bool:
+        """Is it that of a topic, as far as that is known?"""
+        if self.usual:
+            return self.usual in f"/{topic}/" and f"/{self.model}/" in f"/{topic}/"
+        return any(topic in topics for topics in (self.topics or {}).values())
+
+    @property
+    def model(self) -> str:
+        """The name of its model."""
+        holder = self.part.holder
+        while holder is not None and holder.kind != "model":
+            holder = holder.holder
+        return getattr(holder, "name", "")
 
     @property
     def way(self) -> str:
@@ -380,6 +490,22 @@ def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin
             topic = next(iter((end.topics or {}).get(each.message, ())), "")
             names = end.usual.strip("/") if _is_made(each.topic) else ""
             yield BridgeGap(end.part, each.message, end.parameter, topic, end.value, each, names)
+
+
+def faults(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin]) -> Iterator[BridgeFault]:
+    """The entries of bridges that are not taken, and are for sensors and systems of a document."""
+    library = library_of(document)
+    ends = [*_of_sensors(sensors), *_of_systems(plugins)] if library is not None else []
+    if library is None or not ends:
+        return
+    found: dict[tuple[Path, str], BridgeFault] = {}
+    for fault in library.of_project(document.path, _Bridges).faults:
+        key = fault.span.source.path, fault.kind
+        if (first := found.get(key)) is not None:
+            found[key] = first._replace(more=first.more + 1)
+        elif (end := next((each for each in ends if each.has(fault.topic)), None)) is not None:
+            found[key] = BridgeFault(end.part, fault.words, fault.span, 0)
+    yield from found.values()
 
 
 def _lacking(end: _End, ends: Iterable[_End], carried: Sequence[Bridged], open_types: Set[str]) -> set[str]:
@@ -443,6 +569,76 @@ def _of_systems(plugins: Iterable[Plugin]) -> Iterator[_End]:
             yield _End(
                 plugin, topics if is_known else None, "" if topic else f"{end}/", (message,), parameter, value
             )
+
+
+# Controllers.
+
+_TYPED_ELSEWHERE = re.compile(
+    r"controller[-_]type|params?[-_]file|[\"' ]-[tp][\"' ]|set_parameters|yaml\.(?:safe_)?load"
+)
+"""A launch file that gives a controller its type, or other files of parameters."""
+
+
+class _Started:
+    """The words of the launch files of a project that start controllers, and its files of parameters with types."""
+
+    def __init__(self, packages: Packages) -> None:
+        self.words: set[str] = set()
+        self.is_open = False
+        for _, text in launch_texts(packages):
+            if "controller" in text:
+                self.words.update(_NAMES.findall(text))
+                self.is_open |= _TYPED_ELSEWHERE.search(text) is not None
+        files = ((path, _text(path, LARGEST)) for path in _files(packages, (".yaml", ".yml")))
+        self.typed = {path: frozenset(_NAMES.findall(text)) for path, text in files if "type:" in text}
+
+
+def started_untyped(document: Document, nodes: Sequence[Parameter]) -> Iterator[Parameter]:
+    """The nodes with parameters of a controller that launch files start, and to which no file gives a type."""
+    library = library_of(document)
+    started = library.of_project(document.path, _Started) if library is not None and nodes else None
+    if started is None or started.is_open:
+        return
+    for node in nodes:
+        others = (words for path, words in started.typed.items() if path != node.span.source.path)
+        if node.name in started.words and not any(node.name in words for words in others):
+            yield node
+
+
+# Parameters that YAML does not take.
+
+_TAB = re.compile(r"^ *\t[ \t]*(?=[\w\"'-])", re.MULTILINE)
+
+
+def tabs_in_parameters(document: Document) -> Iterator[Span]:
+    """The first tab before an entry of each file in YAML of the package of a document that cannot be read for it."""
+    around = package_around(document.path)
+    library = library_of(document)
+    if around is not None and library is not None:
+        folder = os.path.join(around[0], "")
+        yield from (
+            span
+            for span in library.of_project(document.path, _Tabs).spans
+            if os.fspath(span.source.path).startswith(folder)
+        )
+
+
+class _Tabs:
+    """The first tab of each file in YAML of a project that cannot be read, and has one before an entry."""
+
+    def __init__(self, packages: Packages) -> None:
+        self.spans: list[Span] = []
+        left = _MOST_PARSED
+        for path in _files(packages, (".yaml", ".yml")):
+            text = _text(path, LARGEST)
+            match = _TAB.search(text)
+            if match is None or PARAMETERS not in text or (left := left - len(text)) < 0:
+                continue
+            before = text[: match.start()]
+            is_bare = sum(map(before.count, "[{")) == sum(map(before.count, "]}"))
+            if is_bare and composed(text) is None:
+                source = Source(path, text, is_foreign=True)
+                self.spans.append(Span(source, match.start(), match.end()))
 
 
 # Frames.

@@ -46,6 +46,8 @@ _CLOSE = 1e-3
 _IN = 0.1
 """Of the surface of a link: so much may be inside of another one where the points are few."""
 _MOST_ON_ONE = 20
+_MOST_SENT = 50
+"""So many controllers of MoveIt are compared with the groups."""
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A link or joint in a branch of xacro that the arguments do not take."""
 
@@ -255,6 +257,42 @@ class Semantics:
             elif other:
                 words = f"the controller of these joints in `ros2_controllers.yaml` is `{other}`"
                 yield f"sends trajectories to `{sent.own_name}`, and {words}", sent.name.span
+        yield from self._strange_to_servo
+        yield from self._left_joints
+
+    @property
+    def _strange_to_servo(self) -> Iterator[tuple[str, Span]]:
+        """Words about the group or link that MoveIt's servo is to move and that is not there: the first."""
+        robot = self._parameterized
+        if robot is None:
+            return
+        for each in self.parameters.servo:
+            is_group = each.name == "move_group_name"
+            known = self.groups if is_group else names(robot, "link")
+            if each.content not in known:
+                what = "group" if is_group else "link"
+                yield f"names {what} `{each.content}` in `{each.name}`, which is not there", each.span
+                return
+
+    @property
+    def _left_joints(self) -> Iterator[tuple[str, Span]]:
+        """Words about joints of groups that no controller of MoveIt has, while one has their others."""
+        robot, files = self._parameterized, self.parameters
+        if robot is None:
+            return
+        passive = {each.attributes.get("name", "").strip() for each in self.element.children("passive_joint")}
+        above = {joint.child_name: joint.name for joint in robot.joints if _is_driven(joint)}
+        moved = {
+            name: {above[link] for link in links if link in above} for name, links in self.links_of.items()
+        }
+        for sent in files.sent[:_MOST_SENT]:
+            own = {each.content for each in sent.joints} | passive
+            for name, joints in moved.items():
+                left = sorted(joints - files.handled - passive)
+                if left and 2 * len(own & joints) > len(joints):
+                    words = f"sends no joint `{left[0]}` to a controller, which group `{name}` moves with the others"
+                    yield f"{words} of `{sent.own_name}`", sent.joints[0].span
+                    break
 
     @property
     def adjacent_pairs(self) -> Iterator[Element]:
@@ -790,12 +828,13 @@ def _beside(path: Path, own: Packages, files: Sequence[Path]) -> Mapping[str, Pa
     ]
     if len(srdf) > 1 or not is_of_ros_2(path):
         return {}
-    from sdfcheck.robot.controllers import MOVEIT_FILES
+    from sdfcheck.robot.controllers import MOVEIT_FILES, SERVO
 
     named: dict[str, list[Path]] = {}
     for file in files:
-        if file.name in MOVEIT_FILES:
-            named.setdefault(file.name, []).append(file)
+        name = SERVO if "servo" in file.name else file.name
+        if name in MOVEIT_FILES:
+            named.setdefault(name, []).append(file)
     return {name: found[0] for name, found in named.items() if len(found) == 1}
 
 

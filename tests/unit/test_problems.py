@@ -215,6 +215,29 @@ PLANNED: dict[str, str | bytes] = {
     "ompl_planning.yaml": "response_adapters: [default_planning_response_adapters/AddTimeOptimalParameterization]\n",
     "kinematics.yaml": "arm: {kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin}\n",
 }
+INERTIAL_SENSOR = (
+    '<gazebo reference="body">\n<sensor name="imu" type="imu">\n<topic>imu</topic></sensor>\n</gazebo>'
+)
+BRIDGED = "gz_topic_name: {}, ros_topic_name: {}, ros_type_name: sensor_msgs/msg/Imu, gz_type_name: {}.IMU"
+BUILD = "project(bot)\nfind_package(ament_cmake REQUIRED)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
+LAUNCH = (
+    'share = get_package_share_directory("bot")\nmodel = os.path.join(share, "urdf", "bot.urdf")\n'
+    'Node(package="controller_manager", executable="spawner", arguments=["arm"])\n'
+)
+MOVEIT_SENT = (
+    "moveit_simple_controller_manager:\n  controller_names: [arm_controller]\n  arm_controller: {{{} type: "
+    "FollowJointTrajectory, joints: [{}]}}\n"
+)
+CLOUD = (
+    "sensors: [depth]\ndepth: {sensor_plugin: occupancy_map_monitor/PointCloudOctomapUpdater, @@: /points, "
+    "max_range: 5.0, padding_offset: 0.1, padding_scale: 1.0, point_subsample: 1, max_update_rate: 1.0, "
+    "filtered_cloud_topic: near}\n"
+)
+STEERED = """drive: {ros__parameters: {type: mecanum_drive_controller/MecanumDriveController,
+  front_left_wheel_command_joint_name: @@, front_right_wheel_command_joint_name: front_right_joint,
+  rear_right_wheel_command_joint_name: right_joint}}
+"""
+FRONT_CONTROL = WHEEL_CONTROL.replace('"left_', '"front_left_').replace('"right_', '"front_right_')
 PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
 XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -254,7 +277,7 @@ def picture(side: int) -> bytes:
 
 
 class Problem(NamedTuple):
-    """A text in which ``@@`` is wrong, then right."""
+    """A text in which ``@@`` is wrong, then right; or one of its files, and ``below`` is the line of the text then."""
 
     code: str
     text: str
@@ -269,19 +292,27 @@ class Problem(NamedTuple):
         for name, content in self.files.items():
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content if isinstance(content, bytes) else content.encode())
+            path.write_bytes(content if isinstance(content, bytes) else content.replace("@@", what).encode())
         path = folder / f"bot{self.suffix}"
         path.write_text(self.text.replace("@@", what), encoding="utf-8")
         return path
 
     @property
     def line(self) -> int:
+        if "@@" not in self.text:
+            return self.below
         return self.text[: self.text.index("@@")].count("\n") + 1 + self.below
 
 
 def semantic(text: str, wrong: str, right: str, code: str) -> Problem:
     """A problem in SRDF, beside its robot."""
     return Problem(code, robot(SEMANTICS, text), wrong, right, 0, ".srdf", {"bot.urdf": robot(ARM, FINGER)})
+
+
+def beside(code: str, text: str, at: str, wrong: str, right: str, files: dict[str, str | bytes]) -> Problem:
+    """A problem in a file beside a description, SRDF beside its robot, which is said at a place of the description."""
+    suffix = ".srdf" if "bot.urdf" in files else ".urdf"
+    return Problem(code, text, wrong, right, text[: text.index(at)].count("\n") + 1, suffix, files)
 
 
 def meshed(mesh: str, wrong: str, right: str, code: str, **files: str | bytes) -> Problem:
@@ -2033,6 +2064,166 @@ PROBLEMS = {
         "<xUU>-6</xUU><yVV>-60</yVV>",
         "<xUabsU>-6</xUabsU><yVabsV>-60</yVabsV>",
         suffix=".sdf",
+    ),
+    # Bridges, builds and files of controllers
+    "a bridge is one mapping": beside(
+        "RES028",
+        robot(CART, INERTIAL_SENSOR),
+        "<topic>",
+        "",
+        "- ",
+        {"bridge.yaml": f"@@{{{BRIDGED.format('imu', 'imu', 'gz.msgs')}}}\n"},
+    ),
+    "a bridge has a type of messages that Gazebo has not": beside(
+        "RES028",
+        robot(CART, INERTIAL_SENSOR),
+        "<topic>",
+        "ign_msgs",
+        "gz.msgs",
+        {"bridge.yaml": f"- {{{BRIDGED.format('imu', 'imu', '@@')}}}\n"},
+    ),
+    "a topic of ROS has a part that begins with a digit": beside(
+        "RES028",
+        robot(CART, INERTIAL_SENSOR),
+        "<topic>",
+        "/joint/0/imu",
+        "/imu",
+        {"bridge.yaml": f"- {{{BRIDGED.format('imu', '@@', 'gz.msgs')}}}\n"},
+    ),
+    "a bridge puts the name of the model before a topic": beside(
+        "RES030",
+        robot(CART, INERTIAL_SENSOR),
+        "<topic>",
+        "/model/bot/imu",
+        "/imu",
+        {"bridge.yaml": f"- {{{BRIDGED.format('@@', 'imu', 'gz.msgs')}}}\n"},
+    ),
+    "a package installs a folder that is not there": beside(
+        "RES029",
+        robot(CART),
+        "<robot",
+        "launch",
+        "",
+        {
+            "package.xml": PLANNED["package.xml"],
+            "CMakeLists.txt": BUILD.format("config @@"),
+            "config/a.yaml": "",
+        },
+    ),
+    "a controller has no type": beside(
+        "R2C045",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "c.yaml",
+        "",
+        "arm: {type: joint_trajectory_controller/JointTrajectoryController},",
+        {
+            "c.yaml": "controller_manager: {ros__parameters: {update_rate: 100, @@\n"
+            "  states: {type: joint_state_broadcaster/JointStateBroadcaster}}}\n"
+            "arm: {ros__parameters: {joints: [shoulder], command_interfaces: [position], "
+            "state_interfaces: [position]}}\n",
+            "sim.launch.py": LAUNCH,
+        },
+    ),
+    "a gripper has joints in place of a joint": beside(
+        "R2C044",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "c.yaml",
+        "joints: [shoulder]",
+        "joint: shoulder",
+        {"c.yaml": "hand: {ros__parameters: {type: position_controllers/GripperActionController, @@}}\n"},
+    ),
+    "the axles of a car have a name of another controller": beside(
+        "R2C044",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "c.yaml",
+        "wheel_base",
+        "wheelbase",
+        {
+            "c.yaml": "car: {ros__parameters: {type: bicycle_steering_controller/BicycleSteeringController, @@: 0.3}}\n"
+        },
+    ),
+    "the wheels of a mecanum drive are exchanged in a file": beside(
+        "GEO009",
+        robot(WAGON, WHEEL_CONTROL, FRONT_CONTROL, CONTROLLED),
+        "c.yaml",
+        "left_joint, rear_left_wheel_command_joint_name: front_left_joint",
+        "front_left_joint, rear_left_wheel_command_joint_name: left_joint",
+        {"c.yaml": STEERED},
+    ),
+    "a file of parameters has a tab": beside(
+        "R2C046",
+        robot(CART),
+        "<robot",
+        "\t",
+        "    ",
+        {"package.xml": PLANNED["package.xml"], "ekf.yaml": "ekf:\n  ros__parameters:\n@@frequency: 30.0\n"},
+    ),
+    "MoveIt is given no action of a controller": beside(
+        "SRD019",
+        robot(SEMANTICS.splitlines()[0]),
+        "<robot",
+        "",
+        "action_ns: follow_joint_trajectory,",
+        {
+            **PLANNED,
+            "bot.urdf": robot(ARM),
+            "moveit_controllers.yaml": MOVEIT_SENT.format("@@", "shoulder"),
+        },
+    ),
+    "MoveIt is given pictures for points": beside(
+        "SRD019",
+        robot(SEMANTICS.splitlines()[0]),
+        "<robot",
+        "image_topic",
+        "point_cloud_topic",
+        {**PLANNED, "bot.urdf": robot(ARM), "sensors_3d.yaml": CLOUD},
+    ),
+    "servo is set up for another robot": beside(
+        "SRD015",
+        robot(SEMANTICS.splitlines()[0]),
+        "<robot",
+        "panda_arm",
+        "arm",
+        {
+            **PLANNED,
+            "bot.urdf": robot(ARM),
+            "bot_servo.yaml": "move_group_name: @@\nee_frame_name: upper\n",
+        },
+    ),
+    "a package is called like a folder in it": Problem(
+        "RES001",
+        robot(
+            f'<link name="a">{MASS}\n<visual><geometry><mesh filename="package://@@meshes/a.stl"/></geometry></visual></link>'
+        ),
+        "",
+        "bot/",
+        files={"meshes/a.stl": cube(), "package.xml": "<package><name>bot</name></package>"},
+    ),
+    "two meshes for MuJoCo have one name": Problem(
+        "MUJ006",
+        robot(
+            '<mujoco><compiler strippath="true" meshdir="meshes"/></mujoco>\n<link name="a"/>\n'
+            '<link name="b"><collision><geometry><mesh filename="meshes/a.stl"/></geometry></collision>\n'
+            '<collision><geometry><mesh filename="meshes/@@.stl"/></geometry></collision></link>\n'
+            '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint>'
+        ),
+        "thin/a",
+        "thin",
+        files={"meshes/a.stl": cube(), "meshes/thin/a.stl": cube(), "meshes/thin.stl": cube()},
+    ),
+    "the start of an arm is one level too deep": Problem(
+        "XAC001",
+        robot(
+            '<xacro:property name="start" value="${xacro.load_yaml(\'start.yaml\')@@}"/>\n',
+            '<link name="a"/>\n<link name="b"/>\n<joint name="j" type="fixed"><parent link="a"/><child link="b"/>'
+            "<origin xyz=\"0 0 ${start['lift']}\"/></joint>",
+            more=f' name="bot"{XACRO}',
+        ),
+        "",
+        "['initial']",
+        3,
+        ".urdf.xacro",
+        {"start.yaml": "initial:\n  lift: 0.5\n"},
     ),
 }
 

@@ -225,3 +225,61 @@ def test_a_robot_without_a_root_has_no_base_to_miss(tmp_path: Path) -> None:
 def test_robots_without_wheels_have_no_base_to_miss(tmp_path: Path) -> None:
     robot = WHEELED.replace("left_wheel", "left_arm")
     assert bases(tmp_path, {"p.yaml": AMCL.format("base_footprint")}, robot) == []
+
+
+PACKAGE = "<package><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+ODD_BRIDGES = {
+    "brackets": "- {gz_topic_name: imu, gz_type_name: " + "[" * 50_000,
+    "a long name": ENTRY.format("1/" * 20_000),
+    "many faults": "- {topic_name: imu, gz_topic_name: imu, ros_type_name: a/b, gz_type_name: gz.msgs.IMU}\n"
+    * 500,
+    "values that are none": "- {gz_topic_name: imu, ros_type_name: [1], gz_type_name: gz.msgs.IMU, "
+    "direction: {a: 1}}\n",
+}
+
+
+@pytest.mark.parametrize("name", ODD_BRIDGES)
+def test_faults_of_odd_bridges_end_soon(name: str, tmp_path: Path) -> None:
+    start = time.process_time()
+    gaps(tmp_path, {"bridge.yaml": ODD_BRIDGES[name]}, imu())
+    found = sdfcheck.load(tmp_path / "urdf" / "r.urdf").bridge_faults
+    assert len(found) <= 1
+    assert time.process_time() - start < 20
+
+
+def test_one_finding_for_faults_of_one_kind(tmp_path: Path) -> None:
+    entry = "- {topic_name: imu, gz_topic_name: imu, ros_type_name: a/b, gz_type_name: gz.msgs.IMU}\n"
+    gaps(tmp_path, {"bridge.yaml": entry * 3}, imu())
+    assert [each.more for each in sdfcheck.load(tmp_path / "urdf" / "r.urdf").bridge_faults] == [2]
+
+
+def test_builds_of_relative_paths(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    files = {
+        "package.xml": PACKAGE,
+        "CMakeLists.txt": "project(bot)\n"
+        + "if(BUILD_TESTING)\n" * 20_000
+        + "install(DIRECTORY "
+        + "a " * 50_000,
+    }
+    gaps(tmp_path, files, imu())
+    monkeypatch.chdir(tmp_path / "urdf")
+    assert sdfcheck.load(Path("r.urdf")).unbuilt == ()
+    (tmp_path / "CMakeLists.txt").write_text(
+        "project(bot)\ninstall(DIRECTORY launch DESTINATION share/bot)\n"
+    )
+    assert [each.words for each in sdfcheck.load(Path("r.urdf")).unbuilt] == [
+        "installs `launch`, which is not there"
+    ]
+
+
+def test_tabs_before_entries(tmp_path: Path) -> None:
+    files = {
+        "package.xml": PACKAGE,
+        "config/bad.yaml": "a:\n  ros__parameters:\n\tb: 1\n",
+        "config/fine.yaml": "a:\n  ros__parameters: {b: 1,\n\tc: 2}\n",
+        "config/other.yaml": "a:\n\tb: 1\n",
+        "config/much.yaml": "ros__parameters:\n" + "\tb:\n" * 10_000,
+    }
+    gaps(tmp_path, files, imu())
+    found = sdfcheck.load(tmp_path / "urdf" / "r.urdf").tabs_in_parameters
+    assert {span.source.path.name for span in found} == {"bad.yaml", "much.yaml"}
