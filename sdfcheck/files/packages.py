@@ -433,7 +433,7 @@ def uninstalled(folder: str) -> tuple[str, str, str] | None:
 
 
 def absent_installs(folder: str) -> tuple[str, str, tuple[str, ...]] | None:
-    """A package of ROS 2 by its folder, its ``CMakeLists.txt``, and the absent folders that this installs.
+    """A package of ROS 2 by its folder, its ``CMakeLists.txt``, and the absent folders of robots that this installs.
 
     None where there are none, or where a build may make them.
     """
@@ -452,7 +452,8 @@ def absent_installs(folder: str) -> tuple[str, str, tuple[str, ...]] | None:
             for name in named[:_MOST_INSTALLED]
             if name.rstrip("/") and not _MADE.search(name)
         ]
-        found += [name for name in plain if not os.path.exists(os.path.join(folder, name))]
+        own = (name for name in plain if os.path.basename(name) in _PARTS)
+        found += [name for name in own if not os.path.exists(os.path.join(folder, name))]
     name = _package_name(os.path.join(folder, "package.xml"))
     return (name, os.path.basename(lists), tuple(dict.fromkeys(found))) if found else None
 
