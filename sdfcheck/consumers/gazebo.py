@@ -20,12 +20,14 @@ from sdfcheck.formats.urdf.schema import settings
 from sdfcheck.robot.motion.origin import Origin, Triple, origin_in, urdf_number
 from sdfcheck.robot.solids import Moments
 from sdfcheck.robot.values import MOMENTS, lazy
+from sdfcheck.source.document import Value
 from sdfcheck.source.errors import DescriptionError
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import is_expression
 
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import GazeboBlock, Joint, Link, Model, Plugin, Sensor, Shape
-    from sdfcheck.source.document import Element
+    from sdfcheck.source.document import Document, Element
 
 WORLD = "world"
 LEAST = 1e-6
@@ -330,8 +332,9 @@ def _handed_on(kind: str) -> frozenset[str]:
 
 
 def _mass(link: Link) -> float:
-    """The mass of a link, infinite where it cannot be read."""
-    if not link.has_mass:
+    """The mass of a link, infinite where it is not known; none where urdfdom fails before it reads one."""
+    inertial = link.inertial
+    if not link.has_mass or any(map(_fails, inertial.element.children("origin"))):
         return 0.0
     mass = link.inertial.mass.number
     return math.inf if math.isnan(mass) else mass
@@ -341,7 +344,10 @@ def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
     """The visuals and collisions that urdfdom reads: it leaves a link at the first thing that it cannot read."""
     inertial = link.inertial
     if inertial.is_given and (
-        inertial.inertia is None or inertial.missing_moments or not inertial.has("mass")
+        inertial.inertia is None
+        or inertial.missing_moments
+        or not inertial.has("mass")
+        or _fails(inertial.element)
     ):
         return (), ()
     visuals = tuple(takewhile(_is_read, link.visuals))
@@ -351,7 +357,39 @@ def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
 
 def _is_read(shape: Shape) -> bool:
     material = shape.element.find("material") if shape.kind == "visual" else None
-    return shape.geometry.shape in _SHAPES and (material is None or "name" in material.attributes)
+    is_named = material is None or "name" in material.attributes
+    return shape.geometry.shape in _SHAPES and is_named and not _fails(shape.element)
+
+
+def _fails(part: Element) -> bool:
+    """Does urdfdom fail on a number in a part of a link? In materials it matters to these alone."""
+    failing = part.document.view(_failing)
+    return bool(failing) and any(each in failing for each in part.walk())
+
+
+def _failing(document: Document) -> frozenset[Element]:
+    """The elements with numbers that urdfdom cannot read; what xacro has yet to expand is not known."""
+    from sdfcheck.formats.problems import MalformedValue, MissingAttribute, WrongComponentCount
+    from sdfcheck.formats.urdf.survey import survey
+
+    surveyed, causes = survey(document), (MalformedValue, MissingAttribute, WrongComponentCount)
+    if not any(isinstance(each, causes) for each in surveyed.problems):
+        return frozenset()
+    parts = (part for name in ("inertial", "visual", "collision") for part in surveyed.index.get(name, ()))
+    return frozenset(element for part in parts for element in part.walk() if _is_failing(element))
+
+
+def _is_failing(element: Element) -> bool:
+    from sdfcheck.formats.urdf.findings import as_written, definition, read
+
+    place = None if element.name == "color" else definition(element)
+    known = place.attributes if place is not None else {}
+    return any(
+        name in known
+        and not is_expression(text)
+        and not read(known[name], as_written(Value(element, name, text))).is_fine
+        for name, text in element.attributes.items()
+    )
 
 
 def _type(joint: Joint) -> str:

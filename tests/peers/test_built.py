@@ -46,7 +46,7 @@ def printed(path: Path) -> etree._Element | None:
 
 
 def theirs(model: etree._Element) -> Iterator[tuple[object, ...]]:
-    for frame in model.iter("frame"):
+    for frame in model.iterfind(".//frame[@name]"):
         yield "frame", frame.get("name"), frame.get("attached_to")
     for holder in model.iter("link", "joint"):
         name = holder.get("name")

@@ -319,7 +319,7 @@ class UrdfFindings(Findings):
 
     def judge(self, value: Value, known: AttributeDefinition) -> None:
         """Turn the reading of a value into the problem that it is."""
-        text = _written(value)
+        text = as_written(value)
         reading = read(known, text)
         if reading.is_fine or is_expression(text):
             return
@@ -438,7 +438,7 @@ def _is_in_visual(material: Element) -> bool:
     return material.parent is not None and material.parent.name != "robot"
 
 
-def _written(value: Value) -> str:
+def as_written(value: Value) -> str:
     """A value with the tabs and line breaks of the file, which the parser has turned into spaces."""
     if value.element.document.is_expanded:
         return value.text  # xacro writes spaces

@@ -247,6 +247,33 @@ def test_a_link_ends_at_what_urdfdom_cannot_read() -> None:
     assert (len(link.visuals), len(link.collisions)) == (1, 0)
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "mass", "left"),
+    [
+        ('rpy="0 0 0"', 'rpy="0 0, 0"', 0.0, []),
+        ('ixx="1"', 'ixx="1kg"', 1.0, []),
+        ('ixx="1"', 'ixx="${ixx}"', 1.0, ["a_visual", "a_visual_1", "a_collision"]),
+        ('scale="1 1 1"', 'scale="1 1 1 1"', 1.0, ["a_visual"]),
+        ('rgba="1 0 0 1"', 'rgba="1 0 0"', 1.0, ["a_visual", "a_visual_1", "a_collision"]),
+        ('<box size="1 1 1"/>', '<box size="1 1 1 "/>', 1.0, ["a_visual", "a_visual_1", "a_collision"]),
+        ('<box size="1 1 1"/>', '<box size="1 1&#9;1"/>', 1.0, ["a_visual", "a_visual_1"]),
+    ],
+)
+def test_a_link_ends_at_a_number_that_urdfdom_cannot_read(
+    old: str, new: str, mass: float, left: list[str]
+) -> None:
+    inertial = MASS.replace("<mass", '<origin xyz="0 0 0" rpy="0 0 0"/><mass')
+    red = '<material name="m"><color rgba="1 0 0 1"/></material>'
+    ball = f'<visual><geometry><sphere radius="1"/></geometry>{red}</visual>'
+    mesh = '<visual><geometry><mesh filename="m.stl" scale="1 1 1"/></geometry></visual>'
+    box = '<collision><geometry><box size="1 1 1"/></geometry></collision>'
+    model = robot(f'<link name="a">{inertial}{ball}{mesh}{box}</link>'.replace(old, new))
+    built = GazeboRobot(model)
+    link = built._link(model.links[0])
+    assert built.masses[model.links[0]] == mass
+    assert names([*link.visuals, *link.collisions]) == left
+
+
 def test_consumers_of_which_that_is_not_known() -> None:
     with pytest.raises(ValueError, match="Drake"):
         robot(links("a")).as_built_by(Consumer.DRAKE)
