@@ -35,6 +35,7 @@ from sdfcheck.report.paths import Paths
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
+from sdfcheck.xacro.prepare import is_fragment
 from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
 
 if TYPE_CHECKING:
@@ -145,10 +146,10 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     document = read(data, file, kind) if kind in {Kind.XACRO, Kind.URDF} else None
     if document is None or document.root is None:
         return rows
-    if kind is Kind.URDF:
-        is_part = not document.root.has("link") and not any(row.reasons for row in rows)
-        return _unread(rows, _NO_LINK) if is_part else rows
     document.library = Library(settings.search, settings.size_limit)
+    if kind is Kind.URDF:
+        is_part = not document.root.has("link") and is_fragment(document)
+        return _unread(rows, _NO_LINK) if is_part else rows
     if document.root.name == "sdf":
         return tuple(row if "sdf" in READS[row.consumer] else _unread([row], NO_SDF)[0] for row in rows)
     return rows if is_robot(document) and may_have_links(document) else _unread(rows, _PART)

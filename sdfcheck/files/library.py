@@ -308,10 +308,28 @@ def library_of(document: Document) -> Library | None:
     return library if isinstance(library, Library) else None
 
 
+class Projects:
+    """Projects on disk, and what was made of their files: nothing in it depends on a document."""
+
+    __slots__ = ("packages", "roots", "views")
+
+    def __init__(self) -> None:
+        self.roots: dict[Path, Path] = {}
+        """Folder → the one of its project."""
+        self.packages: dict[Path, Packages] = {}
+        self.views: dict[tuple[object, ...], object] = {}
+
+    def forget(self) -> None:
+        """Look for files in the folders again; what packages there are is remembered."""
+        self.views.clear()
+        for packages in self.packages.values():
+            packages.forget()
+
+
 class Library:
     """Reads the files that documents refer to, each once, and remembers them for the run.
 
-    Files of more than ``limit`` bytes are not read.
+    Files of more than ``limit`` bytes are not read. Libraries of the same search paths may share their ``projects``.
     """
 
     __slots__ = (
@@ -319,9 +337,7 @@ class Library:
         "_documents",
         "_hashes",
         "_limit",
-        "_packages",
         "_projects",
-        "_roots",
         "_surroundings",
         "_unseen",
         "disk",
@@ -331,7 +347,9 @@ class Library:
         "shelves",
     )
 
-    def __init__(self, search: SearchPaths | None = None, limit: int = SIZE_LIMIT) -> None:
+    def __init__(
+        self, search: SearchPaths | None = None, limit: int = SIZE_LIMIT, projects: Projects | None = None
+    ) -> None:
         self.search = search or SearchPaths()
         self.disk = Disk()
         self.shelves = Shelves()
@@ -341,9 +359,7 @@ class Library:
         self._documents: dict[str, Document | None] = {}
         self._hashes: dict[str, int] = {}
         self._unseen: list[Document] = []
-        self._roots: dict[Path, Path] = {}
-        self._packages: dict[Path, Packages] = {}
-        self._projects: dict[tuple[object, ...], object] = {}
+        self._projects = projects or Projects()
         self._surroundings: dict[Path, Surroundings] = {}
         self.refused: dict[Path, Path] = {}
         """Files that lie outside of what may be read → a document that refers to them."""
@@ -413,13 +429,14 @@ class Library:
         """The packages around a file."""
         from sdfcheck.files.packages import Packages, is_shared, project_root
 
-        root = self._roots.get(path.parent)
+        known = self._projects
+        root = known.roots.get(path.parent)
         if root is None:
-            root = self._roots[path.parent] = project_root(path)
-        if root not in self._packages:
+            root = known.roots[path.parent] = project_root(path)
+        if root not in known.packages:
             named, is_flat = dict(self.search.packages), is_shared(root)
-            self._packages[root] = Packages(root, named, self.search.packages_in, is_flat=is_flat)
-        return self._packages[root]
+            known.packages[root] = Packages(root, named, self.search.packages_in, is_flat=is_flat)
+        return known.packages[root]
 
     @property
     def open_texts(self) -> tuple[str, ...]:
@@ -433,9 +450,10 @@ class Library:
     def view(self, packages: Packages, view: Callable[[Packages], T]) -> T:
         """A view of packages, made once for their folder."""
         key = (view, packages.root, packages.is_flat)
-        if key not in self._projects:
-            self._projects[key] = view(packages)
-        return cast("T", self._projects[key])
+        views = self._projects.views
+        if key not in views:
+            views[key] = view(packages)
+        return cast("T", views[key])
 
     def forget(self) -> None:
         """Read files anew when they are asked for next; what packages there are is remembered."""
@@ -443,10 +461,8 @@ class Library:
         self._documents.clear()
         self._hashes.clear()
         self._unseen.clear()
-        self._projects.clear()
+        self._projects.forget()
         self._surroundings.clear()
-        for packages in self._packages.values():
-            packages.forget()
 
     def documents(self) -> tuple[Document, ...]:
         """The documents that were read."""

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from sdfcheck.files.library import Library, SearchPaths
+from sdfcheck.files.library import Library, Projects, SearchPaths
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.config.settings import Settings
 from sdfcheck.lint.diagnostic import Diagnostic, Origin, Severity
@@ -118,9 +118,12 @@ class Selected(NamedTuple):
 
 
 class Caches:
-    """The libraries and expanders of a run: one for all files that have the same search paths."""
+    """The libraries and expanders of a run: one for all files that have the same search paths.
 
-    __slots__ = ("_arguments", "_expand", "_expanders", "_is_alone", "_libraries", "_named")
+    ``projects`` are those that other parts of the run know already, by search paths.
+    """
+
+    __slots__ = ("_arguments", "_expand", "_expanders", "_is_alone", "_libraries", "_named", "_projects")
 
     def __init__(
         self,
@@ -129,7 +132,9 @@ class Caches:
         arguments: ArgumentSet = (),
         named: tuple[Path, ...] = (),
         is_alone: bool = False,
+        projects: dict[SearchPaths, Projects] | None = None,
     ) -> None:
+        self._projects = {} if projects is None else projects
         self._named = named
         self._is_alone = is_alone
         self._expand = expand
@@ -176,7 +181,8 @@ class Caches:
     def library(self, settings: Settings) -> Library:
         search = settings.search._replace(named=self._named, is_alone=self._is_alone)
         if search not in self._libraries:
-            self._libraries[search] = Library(search, settings.size_limit)
+            projects = self._projects.setdefault(search, Projects())
+            self._libraries[search] = Library(search, settings.size_limit, projects)
         return self._libraries[search]
 
     @property

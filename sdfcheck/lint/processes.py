@@ -21,6 +21,7 @@ from sdfcheck.source.record import NamedTuple
 if TYPE_CHECKING:
     from concurrent.futures import Executor, Future
 
+    from sdfcheck.files.library import Projects, SearchPaths
     from sdfcheck.lint.run import RuleFacts
 
 
@@ -84,7 +85,7 @@ def lint_portion(portion: Portion) -> Done | Exception:
     try:
         _check_folder(portion)
         book = _book(portion.key)
-        with Linter(portion.options, book) as linter:
+        with Linter(portion.options, book, _projects(portion.key)) as linter:
             part = linter.lint(portion.found, notify=notices.append if portion.is_listening else None)
     except Exception as error:
         return error
@@ -96,6 +97,12 @@ def lint_portion(portion: Portion) -> Done | Exception:
 def _book(key: bytes) -> RuleBook:
     """The rule book of a run, which its portions share."""
     return RuleBook()
+
+
+@lru_cache(maxsize=1)
+def _projects(key: bytes) -> dict[SearchPaths, Projects]:
+    """The projects that the portions of a run are in, by search paths: their folders are listed once."""
+    return {}
 
 
 def rules_for(files: Iterable[Path], options: Options) -> dict[str, RuleFacts]:

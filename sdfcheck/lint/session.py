@@ -32,6 +32,7 @@ from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, Treatment, sniff, treatment
 
 if TYPE_CHECKING:
+    from sdfcheck.files.library import Projects, SearchPaths
     from sdfcheck.lint.diagnostic import Diagnostic
     from sdfcheck.lint.rulebook.pack import Fault
 
@@ -138,11 +139,19 @@ def run(
 
 
 class Linter:
-    """Lints the files of a run, all at once or by parts; what some of them include is read once for all."""
+    """Lints the files of a run, all at once or by parts; what some of them include is read once for all.
+
+    The parts of one run may share their ``book`` and ``projects``.
+    """
 
     __slots__ = ("_book", "_caches", "_options")
 
-    def __init__(self, options: Options, book: RuleBook | None = None) -> None:
+    def __init__(
+        self,
+        options: Options,
+        book: RuleBook | None = None,
+        projects: dict[SearchPaths, Projects] | None = None,
+    ) -> None:
         self._options = options
         self._book = book or RuleBook()
         self._caches = Caches(
@@ -150,6 +159,7 @@ class Linter:
             arguments=options.arguments,
             named=options.named,
             is_alone=options.is_alone,
+            projects=projects,
         )
 
     def __enter__(self) -> Linter:

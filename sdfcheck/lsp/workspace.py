@@ -321,7 +321,7 @@ class LiveLibrary(Library):
 
     def look_again(self) -> None:
         """Look for the files of projects again: some may be new."""
-        self._projects.clear()
+        self._projects.forget()
 
     def forget_robots(self, path: Path) -> None:
         """The text of a xacro file has changed: read robots anew, and that file; macros of others stay known."""
@@ -331,13 +331,13 @@ class LiveLibrary(Library):
             for key, document in self._documents.items()
             if document is not None and key != changed and key not in self._buffers and _is_library(document)
         }
-        disk, projects = self.disk, dict(self._projects)
+        disk, views = self.disk, dict(self._projects.views)
         self._drop(
             document for key, document in self._documents.items() if document is not None and key not in kept
         )
         super().forget()
         self.disk = disk
-        self._projects.update(projects)
+        self._projects.views.update(views)
         for key, (document, size) in kept.items():
             document.forget_views((Reading, Own))
             self._documents[key], self._hashes[key] = document, size

@@ -72,3 +72,19 @@ def test_a_file_by_two_addresses_is_one(folder: Path) -> None:
 @pytest.mark.parametrize("uri", ["\ud83d.sdf", "file:///\ud83d/a.sdf", "file:///a%00b", "file:///%ED%A0%BD"])
 def test_an_address_is_a_path_that_the_system_takes(uri: str) -> None:
     assert not os.path.exists(path_of(uri))
+
+
+def test_files_of_a_project_are_looked_for_again(folder: Path) -> None:
+    workspace, world = Workspace(), folder / "a" / "w.sdf"
+    library = workspace.library(world)
+
+    def names() -> list[str]:
+        return library.of_project(
+            world, lambda packages: [Path(each).name for each in packages.files(".sdf", 9)]
+        )
+
+    assert names() == ["w.sdf"]
+    (folder / "a" / "new.sdf").write_text(MODEL)
+    library.look_again()
+    assert sorted(names()) == ["new.sdf", "w.sdf"]
+    workspace.close()
