@@ -77,7 +77,9 @@ class UnknownAttribute(Rule):
             message += f", and {problem.more} more"
         severity, affects = None, {}
         if problem.needed:
-            severity, affects = Severity.ERROR, {Consumer.GAZEBO: REFUSES}
+            severity = Severity.ERROR
+            # As of 1.10 a plugin needs no name, and old files are brought up to that first.
+            affects = {} if (element.name, guess) == ("plugin", "name") else {Consumer.GAZEBO: REFUSES}
         if guess is None or element.attribute(guess) is not None:
             advice = "give it a prefix if it is your own"
             yield self.diagnostic(place, message, help=advice, severity=severity, affects=affects)
