@@ -734,8 +734,9 @@ def _sent(source: Source, node: Any) -> Iterator[SentController]:
 def _refused_sent(source: Source, node: Any) -> Iterator[RefusedEntry]:
     """The controllers that MoveIt has in its list, and leaves out."""
     sender = _get(node, _SENDER)
+    entries = dict(pairs(sender))
     for name in _texts(_get(sender, "controller_names")):
-        entry = _get(sender, name.value)
+        entry = entries.get(name.value)
         kind = next((each.value for each in _texts(_get(entry, "type"))), None)
         given = {each for each, _ in pairs(entry)}
         lacked = next((each for each in ("action_ns", "type", "joints") if each not in given), None)
@@ -760,8 +761,9 @@ def _refused_sensors(source: Source, node: Any) -> Iterator[RefusedEntry]:
             yield RefusedEntry(
                 "lists a mapping in `sensors`, and MoveIt reads names there", span_of(source, entry)
             )
+    entries = dict(pairs(node))
     for name in _texts(listed):
-        entry = _get(node, name.value)
+        entry = entries.get(name.value)
         plugin = next((each for each in _texts(_get(entry, "sensor_plugin"))), None)
         asked = _OCTOMAPS.get(plugin.value.rpartition("/")[2], ()) if plugin is not None else ()
         given = {each for each, _ in pairs(entry)}
@@ -773,8 +775,9 @@ def _refused_sensors(source: Source, node: Any) -> Iterator[RefusedEntry]:
 
 def _handled(node: Any) -> Iterator[str]:
     sender = _get(node, _SENDER)
+    entries = dict(pairs(sender))
     for name in _texts(_get(sender, "controller_names")):
-        yield from (each.value for each in _texts(_get(_get(sender, name.value), "joints")))
+        yield from (each.value for each in _texts(_get(entries.get(name.value), "joints")))
 
 
 def _servo(source: Source, node: Any, depth: int) -> Iterator[Parameter]:
