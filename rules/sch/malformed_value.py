@@ -119,6 +119,11 @@ class MalformedValue(Rule):
             scaffold=IN_URDF_LINK,
             says="`value` should be a number, not `heavy`",
         ),
+        Bad(
+            '<robot name="r"><link name="a"/><gazebo reference="a"><kp>«true»</kp></gazebo></robot>',
+            scaffold="{}",
+            says="`kp` should be a number, not `true`",
+        ),
     )
     good = (
         Good("<gravity>TRUE</gravity>", why="any case is read"),

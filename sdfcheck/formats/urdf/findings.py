@@ -312,6 +312,9 @@ class UrdfFindings(Findings):
             reading = misread(0, len(value.text), Cause.NOT_A_BOOLEAN, "false")
         else:
             reading = read_as_sdf(definition.type or "", value.text, required=True)
+            if reading.cause is Cause.TRUTH_VALUE:  # which libsdformat takes for a number in SDFormat alone
+                reading = malformed(reading.start, reading.end, Cause.NOT_A_NUMBER)
+                reading = reading._replace(expected="a number")
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, definition, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
