@@ -118,7 +118,7 @@ class OutOfRange(Rule):
             others = warns("takes the number as it is") if name == "rgba" else REFUSES
             affects = {**dict.fromkeys(Consumer, others), **unreadable(problem.value)}
         if name == "rgba":
-            affects |= {Consumer.DRAKE: REFUSES, Consumer.MUJOCO: others}
+            affects |= {Consumer.DRAKE: REFUSES, Consumer.MUJOCO: others, Consumer.ISAAC: others}
         yield self.diagnostic(problem.span, message, severity=severity, affects=affects)
 
 

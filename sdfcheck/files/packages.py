@@ -46,7 +46,7 @@ _MOST_INSTALLED = 100
 _TESTED = re.compile(
     r"\bif\s*\(\s*BUILD_TESTING\s*\)(?:(?!\b(?:end)?if\s*\()[\s\S]){0,5000}\bendif\s*\([^)]*\)", re.IGNORECASE
 )
-_MADE = re.compile(r"[$*<>\\]|^/|^\.\.|^(?:PATTERN|FILES_MATCHING|USE_SOURCE_PERMISSIONS)$")
+_MADE = re.compile(r"[$*<>\\]|^/|(?:^|/)\.\.(?:/|$)|^(?:PATTERN|FILES_MATCHING|USE_SOURCE_PERMISSIONS)$")
 PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
 """One of them is in a project of Python."""
 _STOP = frozenset(

@@ -9,7 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.files.packages import Packages, project_root
+from sdfcheck.files.packages import Packages, absent_installs, project_root
 from sdfcheck.files.regular import names_in
 from sdfcheck.xacro.expansion import expand
 
@@ -213,3 +213,15 @@ def test_folders_are_listed_once_until_they_are_forgotten(
     assert len(listed) == seen
     packages.forget()
     assert len(list(packages.files(".yaml", 100))) == 6
+
+
+def test_a_build_does_not_ask_for_folders_outside_of_its_package(tmp_path: Path) -> None:
+    (tmp_path / "package.xml").write_text(
+        "<package><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+    )
+    installs = "install(DIRECTORY urdf/../../elsewhere/meshes {} DESTINATION share/bot)"
+    lists = tmp_path / "CMakeLists.txt"
+    lists.write_text(installs.format(""))
+    assert absent_installs(str(tmp_path)) is None
+    lists.write_text(installs.format("meshes"))
+    assert absent_installs(str(tmp_path)) == ("bot", "CMakeLists.txt", ("meshes",))
