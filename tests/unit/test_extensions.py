@@ -106,7 +106,7 @@ def test_blocks_for_nothing_are_not_read() -> None:
         ("j", "<mu1>-1</mu1>", ["GAZ009"]),
         ("", "<selfCollide>2</selfCollide>", ["GAZ009"]),
         ("a", "<static>2</static>", ["GAZ009"]),
-        ("nobody", "<fdir1>1 0</fdir1>", ["GAZ003"]),
+        ("a", "<stopErp>-1</stopErp>", ["GAZ009"]),
         ("j", "<kp>soft</kp>", ["GAZ009", "SCH011"]),  # libsdformat aborts wherever it is
     ],
 )

@@ -34,9 +34,13 @@ def _is_dropped(setting: Definition, block: Element) -> bool:
     root = block.document.root
     if not name or about == "robot" or root is None:
         return bool(name) is (about == "robot")
-    parts = [part for part in root.children(about) if part.text_of("name") == name]
+    parts = [
+        part for part in root.children() if part.name in {"link", "joint"} and part.text_of("name") == name
+    ]
     needs_shape = setting.row.extra("sdf").startswith("collision/")
-    return not any(part.has("collision") or not needs_shape for part in parts)
+    return bool(parts) and not any(
+        part.name == about and (part.has("collision") or not needs_shape) for part in parts
+    )
 
 
 def misspells(element: Element, name: str) -> bool:
@@ -330,7 +334,7 @@ class UrdfFindings(Findings):
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, definition, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
-            # A number that is none ends libsdformat wherever it is.
+            # Where it cannot read a number, libsdformat aborts, wherever that is.
             is_read = reading.outcome is Outcome.MALFORMED or not _is_dropped(definition, parent)
             self.found += problem_of(value, definition, reading) if is_read else ()
 
