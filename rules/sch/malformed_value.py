@@ -154,8 +154,10 @@ class MalformedValue(Rule):
         else:
             message = f"`{name}` should be {reading.expected}, and `{part}` is not a number"
         meant = MEANT.get(reading.cause.name, _nothing)(part, reading.expected)
-        affects = unreadable(value)
-        severity = Severity.WARNING if is_harmless(affects) else None
+        affects = (
+            unreadable(value) if reading.refused else dict.fromkeys(Consumer, warns("takes the default"))
+        )
+        severity = Severity.WARNING if not reading.refused or is_harmless(affects) else None
         is_template = reading.cause.name == "EXPRESSION"
         advice = "expand the file first, with `sdfcheck expand` or the program that it is for"
         yield self.diagnostic(

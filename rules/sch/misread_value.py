@@ -1,6 +1,21 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_LINK, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, problems
+from sdfcheck import (
+    IN_LINK,
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Element,
+    Good,
+    Inertial,
+    Reaction,
+    Root,
+    Rule,
+    Severity,
+    accepts,
+    problems,
+)
 
 INERTIAL = (
     '<sdf version="1.12"><model name="m"><link name="base"><inertial>{}</inertial></link></model></sdf>'
@@ -47,6 +62,10 @@ class MisreadValue(Rule):
             says="`7.5` is read as 7: `visibility_mask` is a whole number",
         ),
         Bad("<mass>«1.5.»</mass>", says="`1.5.` is read as 1.5"),
+        Bad(
+            "<mass>1</mass><inertia><ixx>«1,5»</ixx><iyy>3</iyy><izz>1.6</izz></inertia>",
+            says="`1,5` is read as 1",
+        ),
     )
     good = (
         Good("<mass>1.5 <!-- kg --></mass>", why="nothing is after the comment"),
@@ -73,7 +92,7 @@ class MisreadValue(Rule):
             yield self.diagnostic(problem.rest, message, affects=affects)
             return
         reading, part = problem.reading, problem.span.text
-        affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else {}
+        affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else spoiled(problem.value.element)
         cause = reading.cause.name if reading.cause else ""
         if cause == "EXTRA":
             is_repeated = all(is_same(word, reading.read_as) for word in part.split())
@@ -95,6 +114,16 @@ class MisreadValue(Rule):
             severity=Severity.WARNING if as_meant or is_fraction else None,
             affects=affects,
         )
+
+
+def spoiled(moment: Element) -> dict[Consumer, Reaction]:
+    """The reaction of libsdformat to moments of SDFormat that are impossible as it reads them."""
+    inertia = moment.parent
+    if inertia is None or inertia.name != "inertia":
+        return {}
+    found = (each for each in moment.document.view(Root).each(Inertial) if each.inertia is inertia)
+    is_refused = any(each.tensor.is_indefinite or each.tensor.is_impossible for each in found)
+    return {Consumer.GAZEBO: REFUSES} if is_refused else {}
 
 
 def is_same(written: str, read: str) -> bool:

@@ -347,6 +347,10 @@ def _read_double(text: str, bounds: Range | None, width: Width = Width.DOUBLE) -
     if number is None:
         return no_number(text, 0, end)
     reading = one_number(text, 0, end, number)
+    if reading.outcome is not Outcome.MALFORMED:
+        outside = in_range(number.value, bounds, 0, end)
+        if outside.refused:
+            return outside
     if reading.outcome is Outcome.MALFORMED or not text[end:].strip(BLANKS):
         return in_range(number.value, bounds, 0, end) if reading.is_fine else reading
     return (
