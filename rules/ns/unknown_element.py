@@ -20,10 +20,6 @@ from sdfcheck import (
     rewrite,
 )
 
-NEEDED = frozenset(
-    ("joint/child", "joint/parent", "script/uri", "script/name", "include/uri", "submesh/name", "model/link")
-)
-"""Without these libsdformat refuses the file."""
 PLACED = frozenset(("collision", "inertial", "link", "model", "sensor", "visual"))
 """Elements whose `pose` says what an `origin` of URDF would; that of a joint is in the link that it carries."""
 
@@ -98,7 +94,7 @@ class UnknownElement(Rule):
     def check(self, problem: problems.UnknownElement) -> Iterator[Diagnostic]:
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
-        severity = Severity.ERROR if problem.refused else None
+        severity = Severity.ERROR if problem.refused or problem.vital else None
         if element.name == "origin" and problem.parent.name in PLACED and not problem.parent.has("pose"):
             message += ", which is `pose` in SDFormat"
             yield self.diagnostic(element, message, fix=as_pose(element), severity=severity)
@@ -108,24 +104,14 @@ class UnknownElement(Rule):
             advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
         affects = {}
-        if problem.parent.name == "pbr" or is_missed(problem):
-            affects, severity = {Consumer.GAZEBO: REFUSES}, Severity.ERROR
+        if problem.refused:
+            affects = {Consumer.GAZEBO: REFUSES}
         elif holds_delimiter(element):
             affects = {Consumer.GAZEBO: refuses("refuses the file for `::` in a name")}
             severity = Severity.ERROR
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
-
-
-def is_missed(problem: problems.UnknownElement) -> bool:
-    """Does libsdformat refuse the file for want of what was meant?"""
-    parent, guess = problem.parent, problem.suggestion
-    if f"{parent.name}/{guess}" not in NEEDED or parent.has(guess or ""):
-        return False
-    static = parent.find("static")
-    is_static = static is not None and static.content.lower() in {"true", "1"}
-    return guess != "link" or not (is_static or parent.has("model") or parent.has("include"))
 
 
 def holds_delimiter(element: Element) -> bool:

@@ -33,13 +33,15 @@ class UnknownAttribute(Record):
 class UnknownElement(Record):
     """An element that no version knows anywhere.
 
-    ``refused`` where libsdformat does more than warn, for it or for what it was meant to be.
+    ``refused`` where libsdformat refuses the file, for it or for want of what it was meant to be; ``vital`` where
+    it builds another model without that.
     """
 
     element: Element
     parent: Element
     suggestion: str | None
     refused: bool = False
+    vital: bool = False
 
 
 class MisplacedElement(Record):

@@ -133,7 +133,7 @@ _FOUND_ANYWHERE = frozenset(("include",))
 # Unknown children of these are refused, not ignored.
 _CLOSED = frozenset(("material/pbr",))
 
-# Without these the rest of the model is refused, or is another one.
+# Without these the rest of the model is another one.
 _VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
 
 # Not in any version, and yet what Gazebo reads: reported among the names of its generations.
@@ -142,6 +142,7 @@ _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 # The table allows one, and the consumers take all.
 REPEATABLE = frozenset(("geometry/polyline", "contact/collision", "multicamera/camera", "world/physics"))
 
+_BODIES = ("link", "model")
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
 
@@ -151,6 +152,14 @@ Named = dict[Element, list[tuple[str, str, Element]]]
 
 _OF_URDF = {("mesh", "filename"): "uri"}
 """An attribute of URDF: the child that SDFormat has for it, where that has another name."""
+
+
+def _is_empty(model: Element, name: str) -> bool:
+    """Has a model that moves nothing without the part of this name that was meant?"""
+    if model.name != "model" or name not in _BODIES or any(map(model.has, (*_BODIES, "include"))):
+        return False
+    static = model.find("static")
+    return static is None or static.content.lower() not in {"true", "1"}
 
 
 class _Misplaced:
@@ -389,9 +398,9 @@ class SdfFindings(Findings):
                 continue
             self.misspelled.add((parent, name))
             absent = lacking.get((parent, name))
-            refused = absent is not None and absent.refused
-            refused |= problem.refused or f"{parent.name}/{name}" in _VITAL
-            self.found.append(problems.UnknownElement(problem.element, parent, name, refused))
+            refused = problem.refused or (absent is not None and absent.refused) or _is_empty(parent, name)
+            vital = f"{parent.name}/{name}" in _VITAL
+            self.found.append(problem.changed(refused=refused, vital=vital))
 
     def judge_misplaced(self) -> None:
         """Note elements in place of a child that is missing: its older name, or one that holds its numbers.

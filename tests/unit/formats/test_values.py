@@ -223,7 +223,7 @@ def test_parts_of_a_color_lie_between_0_and_1(text: str, part: str) -> None:
 
 
 @pytest.mark.parametrize("text", ["-5 1 1", "inf", "0x10", "-5kg"])
-def test_what_is_outside_a_range_is_refused_for_that_first(text: str) -> None:
+def test_a_number_outside_of_a_refused_range_is_refused_for_that_first(text: str) -> None:
     reading = read("double", text, bounds=Range(0.0, 1.0))
     assert (reading.outcome, reading.refused) == (Outcome.OUT_OF_RANGE, True)
 
