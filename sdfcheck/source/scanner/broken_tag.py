@@ -16,6 +16,10 @@ _MISSPELT_COMMENT_END = re.compile(r"(?:--!>|--\s{1,80}>|(?<!-)->)")
 _AT_LINE_END = re.compile(r"[ \t]*(?:[\r\n]|\Z)")
 _MISSPELT_SECTION_END = re.compile(r"\]\s{0,80}\]?\s{0,80}>|\]\]")
 _END_TAG = re.compile(r"<(/?)[A-Za-z_][^<>]*?(/?)>")
+_SWITCHED_OFF = re.compile(
+    r"<!--(/?)[A-Za-z_][\w:.\-]*(?:\s+[\w:.\-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*\s*(/?)>"
+)
+"""A comment that begins as a tag does: somebody has put `!--` into the tag, and not a note before it."""
 
 _NEAR = 20_000
 """How far the end of something is looked for; farther away it would be a guess."""
@@ -84,10 +88,13 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     if leftover >= 0:
         return InnerComment(inner, False, leftover + 3, _balance(text, end, leftover) < 0)
     # An outer comment without end swallows what is between its words and the next comment.
+    element = _SWITCHED_OFF.match(text, at, inner)
+    opened = element is not None and not element[1] and not element[2]
     markup = text.find("<", at + 4)
-    if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
+    if not element and text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
         return InnerComment(inner, True, end)
-    return InnerComment(inner, True, end) if _balance(text, at + 4, min(inner, at + _NEAR)) < 0 else None
+    balance = opened + _balance(text, at + 4, min(inner, at + _NEAR))
+    return InnerComment(inner, True, end) if balance < 0 else None
 
 
 def _balance(text: str, begin: int, end: int) -> int:
