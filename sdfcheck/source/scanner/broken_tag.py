@@ -16,9 +16,7 @@ _MISSPELT_COMMENT_END = re.compile(r"(?:--!>|--\s{1,80}>|(?<!-)->)")
 _AT_LINE_END = re.compile(r"[ \t]*(?:[\r\n]|\Z)")
 _MISSPELT_SECTION_END = re.compile(r"\]\s{0,80}\]?\s{0,80}>|\]\]")
 _END_TAG = re.compile(r"<(/?)[A-Za-z_][^<>]*?(/?)>")
-_SWITCHED_OFF = re.compile(
-    r"<!--(/?)[A-Za-z_][\w:.\-]*(?:\s+[\w:.\-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*\s*(/?)>"
-)
+_SWITCHED_OFF = re.compile(r"<!--/?[A-Za-z_][\w:.\-]*(?:\s+[\w:.\-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*\s*/?>")
 """A comment that begins as a tag does: somebody has put `!--` into the tag, and not a note before it."""
 
 _NEAR = 20_000
@@ -87,14 +85,13 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     leftover = text.find("-->", end, following if following >= 0 else end + _NEAR)
     if leftover >= 0:
         return InnerComment(inner, False, leftover + 3, _balance(text, end, leftover) < 0)
+    if _SWITCHED_OFF.match(text, at, inner):
+        return None
     # An outer comment without end swallows what is between its words and the next comment.
-    element = _SWITCHED_OFF.match(text, at, inner)
-    opened = element is not None and not element[1] and not element[2]
     markup = text.find("<", at + 4)
-    if not element and text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
+    if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:
         return InnerComment(inner, True, end)
-    balance = opened + _balance(text, at + 4, min(inner, at + _NEAR))
-    return InnerComment(inner, True, end) if balance < 0 else None
+    return InnerComment(inner, True, end) if _balance(text, at + 4, min(inner, at + _NEAR)) < 0 else None
 
 
 def _balance(text: str, begin: int, end: int) -> int:

@@ -247,6 +247,7 @@ def test_the_other_party_is_named() -> None:
         '<!--link name="c">\n <pose>0 0 0 0 0 0</pose>\n</link>\n<!-- a note -->',
         '<!--joint name="j" type="fixed">\n <parent link="a"/>\n <!-- a note -->',
         "<!--/joint>\n<pose/> <!-- a note -->",
+        '<!--origin xyz="0 0 0"/>\n</joint>\n<!-- a note -->',
     ],
 )
 def test_an_element_that_is_switched_off_ends_at_the_comment_in_it(comment: str) -> None:
