@@ -87,3 +87,9 @@ def test_a_joint_to_a_link_of_a_call_without_prefix_is_refused(
         f'<joint name="j" type="fixed"><parent link="{end}"/><child link="top"/></joint></robot>'
     )
     assert ("urdfdom" in refusing(text, tmp_path, "robot.urdf.xacro")) is expected
+
+
+def test_a_consumer_that_is_asked_for_refuses_what_the_others_take(tmp_path: Path) -> None:
+    text = f'<robot name="r"><link name="l">{INERTIAL}</link><gz:note/></robot>'
+    assert refusing(text, tmp_path) == {"isaac"}
+    assert refusing(text.replace("<robot", '<robot xmlns:gz="urn:gz"'), tmp_path) == set()
