@@ -8,8 +8,9 @@ LEAST = 1e-15
 
 def is_massless(link: Link) -> bool:
     """Does a joint move the link, and has neither it nor anything fixed to it mass and moments?"""
-    joints = link.parent_joints
-    return bool(joints) and joints[0].moves and not any(map(_has_mass, _fused(link)))
+    joint = link.parent_joints[0] if link.parent_joints else None
+    is_moved = joint is not None and (joint.moves or joint.type == "spherical")
+    return is_moved and not any(map(_has_mass, _fused(link)))
 
 
 def _fused(link: Link) -> set[Link]:

@@ -123,7 +123,7 @@ class DuplicateName(Rule):
                 later.value,
                 f"there is another {later.kind} `{later.name}` in {where}",
                 labels={first.value: "the first one"},
-                affects=_affects(later),
+                affects=_affects(first, later),
             )
         for world, first_physics, physics in unnamed_physics(root):
             yield self.diagnostic(
@@ -169,9 +169,13 @@ def merged_sensors(root: Root) -> list[tuple[BuiltLink, Sensor, Sensor]]:
     return found
 
 
-def _affects(later: Name) -> dict[Consumer, Reaction]:
+def _affects(first: Name, later: Name) -> dict[Consumer, Reaction]:
     if later.is_extension:
         return dict.fromkeys(UNAWARE, accepts("does not read it"))
     if later.kind == "link":
         return IN_LINKS
-    return IN_JOINTS if later.kind == "joint" else IN_MATERIALS
+    if later.kind != "joint":
+        return IN_MATERIALS
+    children = [element.find("child") for element in (first.value.element, later.value.element)]
+    moved = {child.text_of("link") for child in children if child is not None}
+    return {**IN_JOINTS, Consumer.MUJOCO: REFUSES} if len(moved) == 1 else IN_JOINTS

@@ -93,7 +93,10 @@ class MasslessMovingLink(Rule):
             for mimic in robot.root.each(Mimic)
             if mimic.joint.child_link is not None and mimic.joint.child_link not in gone
         }
+        built = robot.as_built_by(Consumer.GAZEBO)
         for link in links:
+            if any(map(built.is_unread, built.members(link))):
+                continue
             joint = link.parent_joints[0]
             below = sum(1 for _ in link.below()) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""

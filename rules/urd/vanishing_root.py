@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import REFUSES, Bad, BuiltJoint, Consumer, Diagnostic, Good, Link, Model, Rule, Severity, warns
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    BuiltJoint,
+    Consumer,
+    Diagnostic,
+    Good,
+    Link,
+    Model,
+    Rule,
+    Severity,
+    drops,
+    warns,
+)
 from sdfcheck_rules.urd.without_mass import in_drake
 
 MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
@@ -67,24 +80,24 @@ class VanishingRoot(Rule):
             message = f"{robot.title} has no link but `world`, so libsdformat makes an empty model of it"
             yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
         built = robot.as_built_by(Consumer.GAZEBO)
-        first_below = {joint.parent: joint for joint in reversed(built.joints.values())}
         for top in built.tops:
-            if top in built.with_mass:
+            if top in built.with_mass or any(map(built.is_unread, built.members(top))):
                 continue
-            links = list(top.below())
-            if built.is_left_out(top) and built.with_mass:
-                yield self.left_out(top, first_below.get(top.name))
+            if built.is_left_out(top) and built.links:
+                yield self.left_out(top, built.orphaned.get(top))
                 continue
-            if not any(link.has_mass for link in links):
+            links, affects = list(top.below()), in_drake(top)
+            below = f" and the {len(links) - 1} link{'s' * (len(links) > 2)} below it" if links[1:] else ""
+            message = f"root {top.title} has no mass, so libsdformat drops it{below}"
+            if built.links:
+                affects[Consumer.GAZEBO] = drops(f"it{below}")
+            elif not any(link.has_mass for link in links):
                 message = f"no link of {robot.title} has mass, so libsdformat makes an empty model of it"
-                affects = in_drake(top)
                 if robot.is_static:
                     affects[Consumer.GAZEBO] = warns("loads an empty model")
                 yield self.diagnostic(top, message, severity=Severity.INFO, affects=affects)
                 continue
-            below = f"{len(links) - 1} link{'s' * (len(links) != 2)}"
-            message = f"root {top.title} has no mass, so libsdformat drops it and the {below} below it"
-            yield self.diagnostic(top, message, affects=in_drake(top))
+            yield self.diagnostic(top, message, affects=affects)
 
     def left_out(self, top: Link, lost: BuiltJoint | None) -> Diagnostic:
         if lost is None:

@@ -32,11 +32,16 @@ class ContentAfterRoot(Rule):
         ),
         Bad('<sdf version="1.12"><world name="w"/></sdf>\n«</sdf>»', says="`</sdf>` closes nothing"),
         Bad('<sdf version="1.12"><world name="w"/></sdf>\n«the end»\n', says="text after the root element"),
+        Bad(
+            '<robot name="r"><link name="l"/></robot>\n<«robot» name="s"><link name="l"/></robot>',
+            says="a second root element, `robot`",
+        ),
     )
     good = (
         Good(
             '<sdf version="1.12"><world name="w"/></sdf>\n<!-- the end -->\n', why="comments may be anywhere"
         ),
+        Good('<robot name="r"><link name="l"/></robot>\n<!-- the end -->\n'),
         Good('<world name="w"/>\n</sdf>\n', why="the start tag is missing: missing-root owns this one"),
     )
 

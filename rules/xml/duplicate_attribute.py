@@ -31,6 +31,7 @@ class DuplicateAttribute(Rule):
             '<sdf version="1.12" xmlns:p="https://example.org/p"><world name="w" p:name="v"/></sdf>',
             why="a prefix makes it another attribute",
         ),
+        Good('<robot name="r"><link name="l"/></robot>'),
     )
 
     def check(self, problem: problems.RepeatedAttribute) -> Iterator[Diagnostic]:

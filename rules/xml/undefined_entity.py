@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import (
+    REFUSES,
     Bad,
     Consumer,
     Diagnostic,
@@ -76,7 +77,7 @@ class UndefinedEntity(Rule):
         span, name = problem.span, problem.name
         if name.startswith("#"):
             message = f"`{span.text}` is a character that XML does not allow"
-            reads = dict.fromkeys(Consumer, warns("reads the character"))
+            reads = {**dict.fromkeys(Consumer, warns("reads the character")), Consumer.ISAAC: REFUSES}
             yield self.diagnostic(span, help="remove it", **unless_xacro(span, message, affects=reads))
             return
         text, end = span.source.text, span.start + 1

@@ -177,6 +177,18 @@ class GazeboRobot:
         )
         return is_tied and link not in self.with_mass
 
+    @lazy
+    def orphaned(self) -> dict[Link, BuiltJoint]:
+        """Link that is left out → the first joint that has no parent without it, for which the file is refused."""
+        first: dict[str, BuiltJoint] = {}
+        for joint in self.joints.values():
+            first.setdefault(joint.parent, joint)
+        return {top: first[top.name] for top in self.tops if self.is_left_out(top) and top.name in first}
+
+    def is_unread(self, link: Link) -> bool:
+        """Has the link no mass because urdfdom fails before it has read the mass that is there?"""
+        return link.has_mass and _is_cut(link.inertial.element)
+
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""
         return link in self._dropped or self.base(link) not in self.with_mass
@@ -333,11 +345,15 @@ def _handed_on(kind: str) -> frozenset[str]:
 
 def _mass(link: Link) -> float:
     """The mass of a link, infinite where it is not known; none where urdfdom fails before it reads one."""
-    inertial = link.inertial
-    if not link.has_mass or any(map(_fails, inertial.element.children("origin"))):
+    if not link.has_mass or _is_cut(link.inertial.element):
         return 0.0
     mass = link.inertial.mass.number
     return math.inf if math.isnan(mass) else mass
+
+
+def _is_cut(inertial: Element) -> bool:
+    """Does urdfdom fail on a number before it has the mass?"""
+    return any(_fails(part) for name in ("origin", "mass") for part in inertial.children(name))
 
 
 def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:

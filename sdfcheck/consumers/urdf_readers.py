@@ -83,8 +83,8 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
         found[Consumer.MUJOCO] = warns("takes no spring")
     if isinstance(at, Value) and element.name == "axis" and len(at.text.split()) < _FIELDS["xyz"]:
         found[Consumer.PYBULLET] = REFUSES
-    if "inertial" in place and element.name != "inertia" and _carries_the_rest(element):
-        found[Consumer.GAZEBO] = refuses("refuses the file, for nothing is left")
+    if "inertial" in place and element.name != "inertia" and (reason := _needs_mass(element)):
+        found[Consumer.GAZEBO] = refuses(f"refuses the file, for {reason}")
     return found | _ignoring(element)
 
 
@@ -138,7 +138,9 @@ def _begun(value: Value) -> Mapping[Consumer, Reaction]:
 
 def _not_finite(value: Value, words: Sequence[str], numbers: Sequence[float]) -> Mapping[Consumer, Reaction]:
     """Reactions to ``inf``, ``nan`` and numbers that are too large, such as ``1e400``."""
-    found = {} if value.element.name == "inertia" else {Consumer.ISAAC: _AS_IT_IS}
+    around = value.element.parent
+    is_turned = value.element.name == "inertia" and around is not None and around.has("origin")
+    found = {} if is_turned else {Consumer.ISAAC: _AS_IT_IS}
     is_written = all(
         word[-1].isalpha() for word, number in zip(words, numbers, strict=True) if not isfinite(number)
     )
@@ -158,10 +160,26 @@ def _is_taken_by_mujoco(value: Value, numbers: Sequence[float]) -> bool:
     return element.name != "inertia" and not (is_body and min(numbers) < 0)
 
 
-def _carries_the_rest(element: Element) -> bool:
-    """Is an element in the root link, which libsdformat drops without its mass, with all that it carries?"""
-    link = next((each for each in element.around if each.name == "link"), None)
-    return link is not None and link.text_of("name") not in element.document.view(_carried)
+def _needs_mass(element: Element) -> str:
+    """Why libsdformat refuses the robot without the mass of the link that an element is in; empty if it does not.
+
+    It drops a link without mass, with all that it carries.
+    """
+    from sdfcheck.robot.root import root_of
+
+    name = next((each.text_of("name") for each in element.around if each.name == "link"), None)
+    for model in root_of(element.document).models:
+        built = model.as_built_by(Consumer.GAZEBO)
+        link = model.tree.links.get(name or "")
+        if link is not None and built.base(link) not in built.with_mass:
+            return (
+                "a joint loses its parent"
+                if link in built.orphaned
+                else ""
+                if built.links
+                else "nothing is left"
+            )
+    return ""
 
 
 def _is_root(element: Element) -> bool:
@@ -174,17 +192,6 @@ def _children(document: Document) -> frozenset[str | None]:
     joints = document.root.children("joint") if document.root is not None else ()
     ends = (joint.find("child") for joint in joints)
     return frozenset(end.text_of("link") for end in ends if end is not None)
-
-
-def _carried(document: Document) -> frozenset[str | None]:
-    """The links that hang on another one, or to which a fixed joint ties one that may give them its mass."""
-    joints = document.root.children("joint") if document.root is not None else ()
-    ends = ((joint.text_of("type"), end) for joint in joints for end in joint.children())
-    return frozenset(
-        end.text_of("link")
-        for kind, end in ends
-        if end.name == "child" or (end.name == "parent" and kind == "fixed")
-    )
 
 
 def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:

@@ -63,6 +63,7 @@ def test_sound_blocks(reference: str, content: str) -> None:
         ("a", "<turnGravityOff>treu</turnGravityOff>", "SCH012"),
         ("a", "<fdir1>1 0</fdir1>", "SCH013"),
         ("a", "<mu1>abc</mu1>", "SCH011"),
+        ("a", "<mu1>-1</mu1>", "SCH014"),
         ("", '<model name="j"><link name="l"/></model>', "NAM002"),
         ("", '<joint name="k" type="fixed"><parent>a</parent><child>c</child></joint>', "JNT001"),
         ("", '<frame name="f" attached_to="c"/>', "FRM001"),
@@ -73,7 +74,10 @@ def test_mistakes_in_blocks(reference: str, content: str, code: str) -> None:
     assert codes(content, reference) == [code]
 
 
-@pytest.mark.parametrize("content", ['<sensor name="s" type="camra"/>', '<model name="j"/>', "<mu1>x</mu1>"])
+@pytest.mark.parametrize(
+    "content",
+    ['<sensor name="s" type="camra"/>', '<model name="j"/>', "<mu1>x</mu1>", "<mu1>-1</mu1>"],
+)
 def test_only_gazebo_is_concerned(content: str) -> None:
     diagnostics = found(content, "a" if "model" not in content else "")
     assert diagnostics
@@ -94,6 +98,30 @@ def test_a_block_that_libsdformat_refuses_costs_the_robot(tmp_path: Path) -> Non
 
 def test_blocks_for_nothing_are_not_read() -> None:
     assert codes('<sensor name="s" type="camra"/>', "nobody") == ["GAZ003"]
+
+
+@pytest.mark.parametrize(
+    ("reference", "content", "expected"),
+    [
+        ("j", "<mu1>-1</mu1>", ["GAZ009"]),
+        ("", "<selfCollide>2</selfCollide>", ["GAZ009"]),
+        ("a", "<static>2</static>", ["GAZ009"]),
+        ("a", "<stopErp>-1</stopErp>", ["GAZ009"]),
+        ("j", "<kp>soft</kp>", ["GAZ009", "SCH011"]),  # libsdformat aborts wherever it is
+    ],
+)
+def test_values_of_settings_that_are_dropped(reference: str, content: str, expected: list[str]) -> None:
+    assert codes(content, reference) == expected
+
+
+def test_friction_of_a_link_without_collision_is_nobodys() -> None:
+    text = ROBOT.replace("{}", '<gazebo reference="c"><mu1>-1</mu1></gazebo>')
+    text = text.replace(
+        "<joint",
+        '<link name="c"/><joint name="i" type="fixed"><parent link="b"/><child link="c"/></joint><joint',
+        1,
+    )
+    assert "SCH014" not in [each.code for each in lint(text, name="r.urdf", isolated=True).diagnostics]
 
 
 def test_cameras_of_a_multicamera_are_all_read() -> None:

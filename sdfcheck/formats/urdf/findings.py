@@ -28,6 +28,21 @@ _OTHER_WORDS = {"min": "lower", "max": "upper"}
 _OTHER_MEASURES = frozenset({"diameter"})
 
 
+def _is_dropped(setting: Definition, block: Element) -> bool:
+    """Is a setting of libsdformat in a block about something that does not have it?"""
+    name, about = block.text_of("reference"), setting.row.extra("at")
+    root = block.document.root
+    if not name or about == "robot" or root is None:
+        return bool(name) is (about == "robot")
+    parts = [
+        part for part in root.children() if part.name in {"link", "joint"} and part.text_of("name") == name
+    ]
+    needs_shape = setting.row.extra("sdf").startswith("collision/")
+    return bool(parts) and not any(
+        part.name == about and (part.has("collision") or not needs_shape) for part in parts
+    )
+
+
 def misspells(element: Element, name: str) -> bool:
     """Is there a misspelled attribute or child element that means one of this name?"""
     place = definition(element)
@@ -311,14 +326,17 @@ class UrdfFindings(Findings):
         if definition.type == "flag":
             reading = misread(0, len(value.text), Cause.NOT_A_BOOLEAN, "false")
         else:
-            reading = read_as_sdf(definition.type or "", value.text, required=True)
+            bounds = definition.range
+            reading = read_as_sdf(definition.type or "", value.text, required=True, bounds=bounds)
             if reading.cause is Cause.TRUTH_VALUE:  # which libsdformat takes for a number in SDFormat alone
                 reading = malformed(reading.start, reading.end, Cause.NOT_A_NUMBER)
                 reading = reading._replace(expected="a number")
         if reading.outcome is Outcome.EMPTY:
             self.found.append(problems.MalformedValue(value, definition, reading, element.span))
         elif not reading.is_fine and not is_expression(value.text):
-            self.found += problem_of(value, definition, reading)
+            # Where it cannot read a number, libsdformat aborts, wherever that is.
+            is_read = reading.outcome is Outcome.MALFORMED or not _is_dropped(definition, parent)
+            self.found += problem_of(value, definition, reading) if is_read else ()
 
     def judge(self, value: Value, known: AttributeDefinition) -> None:
         """Turn the reading of a value into the problem that it is."""

@@ -20,6 +20,13 @@ ROBOT = (
 )
 ALONE = f'<robot name="r"><link name="a">{INERTIAL}</link></robot>'
 
+ON_WORLD = ROBOT.replace(
+    "<joint",
+    '<link name="world"/><joint name="f" type="fixed"><parent link="world"/><child link="a"/></joint><joint',
+    1,
+)
+LEGS = ON_WORLD.replace('"fixed"', '"continuous"').replace('<parent link="a"/>', '<parent link="world"/>')
+
 
 def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
     """The consumers that are said to refuse a robot."""
@@ -44,6 +51,16 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
         (ROBOT, 'upper="1"', 'upper="1 "', "gazebo pinocchio ros urdfdom"),
         (ROBOT, 'upper="1"', 'upper="0x10"', "gazebo isaac pinocchio ros urdfdom"),
         (ROBOT, "<collision>", '<collision name="b::c">', "gazebo"),
+        (ON_WORLD, 'mass value="1"', 'mass value="heavy"', "drake gazebo isaac mujoco"),
+        (LEGS, 'mass value="1"', 'mass value="heavy"', "drake isaac mujoco"),
+        (LEGS, INERTIAL, "", "mujoco"),
+        (ALONE, '"0"', '"inf"', "drake"),
+        (
+            ROBOT,
+            "</robot>",
+            ROBOT[ROBOT.index("<joint") :],
+            "drake gazebo isaac mujoco pinocchio pybullet ros urdfdom",
+        ),
     ],
 )
 def test_verdicts_follow_the_consumers(robot: str, old: str, new: str, expected: str, tmp_path: Path) -> None:

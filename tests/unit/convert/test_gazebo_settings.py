@@ -9,7 +9,7 @@ import pytest
 from sdfcheck.convert.urdf_to_sdf.conversion import urdf_to_sdf
 from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.urdf.schema import all_settings, settings
+from sdfcheck.formats.urdf.schema import all_settings, extension, settings
 from sdfcheck.formats.version import NEWEST
 from sdfcheck.source.document import read
 from sdfcheck.source.sniff import Kind
@@ -34,6 +34,17 @@ def test_each_place_is_one_of_the_newest_version(about: str) -> None:
             for step in path:
                 assert step in place.children, f"{name}: {'/'.join(path)}"
                 place = place.children[step]
+
+
+def test_frictions_have_the_range_of_the_newest_version() -> None:
+    place = schema(NEWEST).root.children["model"].children["link"].children["collision"]
+    for step in ("surface", "friction", "ode"):
+        place = place.children[step]
+    for setting, name in (("mu1", "mu"), ("mu2", "mu2")):
+        ours, theirs = extension().children[setting].range, place.children[name].range
+        assert ours is not None
+        assert theirs is not None
+        assert (ours.low, ours.refused) == (theirs.low, theirs.refused)
 
 
 def test_settings_of_links_and_joints_have_a_place() -> None:

@@ -166,7 +166,9 @@ def test_dynamics_need_one_of_two_attributes() -> None:
     ],
 )
 def test_numbers_in_gazebo(setting: str, kind: type) -> None:
-    text = f'<robot name="r"><link name="a"/><gazebo reference="a">{setting}</gazebo></robot>'
+    text = (
+        f'<robot name="r"><link name="a"><collision/></link><gazebo reference="a">{setting}</gazebo></robot>'
+    )
     assert [type(problem) for problem in walk(text).problems] == [kind]
 
 
