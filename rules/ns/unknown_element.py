@@ -11,14 +11,19 @@ from sdfcheck import (
     Element,
     Fix,
     Good,
+    Root,
     Rule,
     Severity,
     problems,
+    refuses,
     rename,
     rewrite,
 )
 
-ENDS = frozenset(("child", "parent"))
+NEEDED = frozenset(
+    ("joint/child", "joint/parent", "script/uri", "script/name", "include/uri", "submesh/name", "model/link")
+)
+"""Without these libsdformat refuses the file."""
 PLACED = frozenset(("collision", "inertial", "link", "model", "sensor", "visual"))
 """Elements whose `pose` says what an `origin` of URDF would; that of a joint is in the link that it carries."""
 
@@ -64,6 +69,12 @@ class UnknownElement(Rule):
             says="unknown element `glass` in `pbr`",
         ),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
+        Bad(
+            '<«plugins» filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>',
+            fixed='<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>',
+            unsafe=True,
+            says="did you mean `plugin`?",
+        ),
     )
     good = (
         Good('<p:color xmlns:p="https://example.org/p">red</p:color>', why="it has a prefix"),
@@ -96,11 +107,39 @@ class UnknownElement(Rule):
         if (element.name, problem.parent.name) == ("origin", "joint"):
             advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
-        is_end = problem.parent.name == "joint" and guess in ENDS and not problem.parent.has(guess)
-        affects = {Consumer.GAZEBO: REFUSES} if is_end or problem.parent.name == "pbr" else {}
+        affects = {}
+        if problem.parent.name == "pbr" or is_missed(problem):
+            affects, severity = {Consumer.GAZEBO: REFUSES}, Severity.ERROR
+        elif holds_delimiter(element):
+            affects = {Consumer.GAZEBO: refuses("refuses the file for `::` in a name")}
+            severity = Severity.ERROR
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
+
+
+def is_missed(problem: problems.UnknownElement) -> bool:
+    """Does libsdformat refuse the file for want of what was meant?"""
+    parent, guess = problem.parent, problem.suggestion
+    if f"{parent.name}/{guess}" not in NEEDED or parent.has(guess or ""):
+        return False
+    static = parent.find("static")
+    is_static = static is not None and static.content.lower() in {"true", "1"}
+    return guess != "link" or not (is_static or parent.has("model") or parent.has("include"))
+
+
+def holds_delimiter(element: Element) -> bool:
+    """Has it a name with `::`, or an element in it? From 1.8 on libsdformat refuses that but in custom elements."""
+    if element.document.view(Root).is_older_than("1.8"):
+        return False
+    waiting = [element]
+    while waiting:
+        each = waiting.pop()
+        if ":" not in each.name and each.name != "plugin":
+            if "::" in each.attributes.get("name", ""):
+                return True
+            waiting += each.children()
+    return False
 
 
 def as_pose(origin: Element) -> Fix | None:
