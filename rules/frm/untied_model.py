@@ -36,6 +36,10 @@ class UntiedModel(Rule):
     good = (
         Good(f'<model name="lidar">{LIDAR}</model>{TIED}'),
         Good(f'<model name="box"><link name="l">{MASS}</link></model>', why="a thing of its own"),
+        Good(
+            f'<model name="lidar">{LIDAR}{TIED.replace("lidar::", "")}</model>',
+            why="the joint is in the wrong model, and reported there",
+        ),
         Good(f'<static>true</static><model name="lidar">{LIDAR}</model>'),
     )
 
@@ -57,6 +61,8 @@ def untied(model: Model) -> Iterator[Model]:
     ends = {name for joint in model.joints for name in (joint.parent_name, joint.child_name)}
     for each in model.models:
         if each.may_be_static or not any(link.sensors for link in each.links):
+            continue
+        if any(joint.parent is None for joint in each.joints):  # reported there
             continue
         if each.name not in ends and f"{each.name}::" not in text:
             yield each

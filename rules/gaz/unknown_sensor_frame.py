@@ -109,16 +109,23 @@ def robot_of(part: Part) -> Model:
     return next(model for model in part.root.each(Model) if model.is_urdf)
 
 
+def is_in_robot(part: Part) -> bool:
+    """Is the robot there, and the part not in one of its parts alone?"""
+    return any(model.is_urdf for model in part.root.each(Model))
+
+
 def foreign(part: Sensor | ControlComponent) -> Iterator[Value]:
     """The frames of a sensor that no link has, with a prefix or without; not the link that its own block lacks."""
+    if not is_in_robot(part):
+        return
+    robot = robot_of(part)
     for element in frames(part):
         name = element.content.strip()
-        if not name or "$" in name or "{" in name or name in robot_of(part).lost_references:
+        if not name or "$" in name or "{" in name or name in robot.lost_references:
             continue
-        links = robot_of(part).tree.links
-        is_known = (
-            name in FIXED or name.rpartition("/")[2] in links or any(name.endswith(link) for link in links)
-        )
+        links = robot.tree.links
+        is_known = name in FIXED or not robot.is_complete or name.rpartition("/")[2] in links
+        is_known |= any(name.endswith(link) for link in links)
         if name.startswith("/") or not is_known:
             yield element.own_value
 

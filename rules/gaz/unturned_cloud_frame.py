@@ -1,7 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import Bad, Diagnostic, Good, Link, Rule, Sensor, Severity, Value
-from sdfcheck_rules.gaz.unknown_sensor_frame import frames, robot_of
+from sdfcheck_rules.gaz.unknown_sensor_frame import frames, is_in_robot, robot_of
 
 PLUGINS = frozenset(("gazebo_ros_camera", "gazebo_ros_depth_camera", "gazebo_ros_openni_kinect"))
 """Those of Gazebo Classic that make a cloud of points of the picture of a depth camera."""
@@ -66,6 +66,8 @@ class UnturnedCloudFrame(Rule):
 def unturned(sensor: Sensor) -> tuple[Value, Link] | None:
     """The frame of a depth camera of Gazebo Classic whose x axis is where the camera looks, and its link."""
     if sensor.type != "depth" or not sensor.is_extension or sensor.view is None or not has_cloud(sensor):
+        return None
+    if not is_in_robot(sensor):
         return None
     named = (each for each in frames(sensor) if each.parent is not None and each.parent.name == "plugin")
     value = next((each.own_value for each in named), None)

@@ -11,6 +11,7 @@ PLANE = (
     "</normal></plane></geometry></collision></link></model>"
 )
 WATER = '<plugin filename="gz-sim-buoyancy-system" name="gz::sim::systems::Buoyancy"/>'
+STATE = '<state world_name="w"><model name="drone"><pose>0 0 0.1 0 0 0</pose></model></state>'
 DRONE = (
     '<model name="drone"><pose>0 0 {} 0 0 0</pose>{}<link name="l"><{} name="c"><geometry><box><size>0.4 0.4 0.2</size>'
     "</box></geometry></{}></link></model>"
@@ -27,7 +28,8 @@ class SunkenModel(Rule):
 
     At the first step the contacts push it out: it jumps, tips over, or stays caught. Its pose places the origin of
     the model, which often is in the middle of its body. Planes that do not move count as the ground, and plain shapes
-    of collisions as its feet; a model that a joint ties to the world is left out, and worlds in which things float are.
+    of collisions as its feet. Left out are models that a joint ties to the world, those whose place a recorded state
+    says, and worlds in which things float.
     """
 
     code = "GEO025"
@@ -52,6 +54,10 @@ class SunkenModel(Rule):
         Good(drone("0", more="<static>true</static>"), why="a foundation"),
         Good(drone("0", "visual"), why="nothing touches the ground"),
         Good(drone("0").replace(PLANE, WATER + PLANE), why="a boat"),
+        Good(
+            drone("0").replace(PLANE, STATE + PLANE),
+            why="Gazebo Classic takes the pose of the recorded state",
+        ),
     )
 
     @staticmethod
@@ -72,8 +78,11 @@ def sunken(world: World) -> Iterator[tuple[Model, Shape, float]]:
     """The models that begin below the ground, their lowest shapes and how deep those are (m)."""
     has_water = any("buoyancy" in plugin.filename for plugin in world.plugins)
     floor = world.floor if len(world.models) < MOST and not has_water else None
+    recorded = {
+        each.get("name") for state in world.element.children("state") for each in state.children("model")
+    }
     for model in world.models if floor is not None else ():
         is_held = model.may_be_static or any(joint.parent_name == "world" for joint in model.joints)
-        lowest = None if is_held else model.lowest
+        lowest = None if is_held or model.name in recorded else model.lowest
         if floor is not None and lowest is not None and lowest[1] < floor - DEEP:
             yield model, lowest[0], floor - lowest[1]

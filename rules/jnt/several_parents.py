@@ -14,11 +14,13 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
+    drops,
     named,
     warns,
 )
 
 HUNG = {Consumer.PINOCCHIO: warns("hangs the link on the joint whose name comes last")}
+DROPPED = {Consumer.GAZEBO: drops("the link, which has no mass")}
 
 
 class SeveralParents(Rule):
@@ -94,8 +96,11 @@ class SeveralParents(Rule):
         for link, joints, further in further_joints(root):
             names = named((each.name for each in joints), most=4)
             message = f"link `{link.name}` is child of {len(joints)} joints: {names}"
+            affects = HUNG if link.is_urdf and is_read else {}
+            if link.is_urdf and is_dropped(link, joints):
+                affects = affects | DROPPED
             for joint in further:
-                yield self._one_more(joint, joints[0], message, HUNG if joint.is_urdf and is_read else {})
+                yield self._one_more(joint, joints[0], message, affects)
 
     def _one_more(
         self, joint: Joint, first: Joint, message: str, affects: dict[Consumer, Reaction]
@@ -118,6 +123,12 @@ def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]
         further = [joint for joint in joints[1:] if not joint.is_urdf or joint.name != joints[0].name]
         if further and link.name not in doubled:
             yield link, joints, further
+
+
+def is_dropped(link: Link, joints: list[Joint]) -> bool:
+    """Does libsdformat leave out the link, which has no mass and moves, before it meets the other joint?"""
+    last = max(joints, key=lambda joint: joint.name)
+    return last.moves and not link.has_mass and not any(joint.is_fixed for joint in link.child_joints)
 
 
 def is_in_order(root: Root) -> bool:

@@ -9,6 +9,7 @@ WELL_KNOWN = {
     "gz": "http://gazebosim.org/schema",
     "ignition": "http://ignitionrobotics.org/schema",
 }
+MASS = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 
 
 class UndeclaredPrefix(Rule):
@@ -53,6 +54,12 @@ class UndeclaredPrefix(Rule):
             '<sdf version="1.12"><model name="m">'
             '<link name="l" «mine»:color="red" mine:size="2"/></model></sdf>',
             says="used 2 times",
+        ),
+        Bad(
+            f'<robot name="r"><link name="l">{MASS}</link><«gz»:note/></robot>',
+            fixed=f'<robot name="r" xmlns:gz="http://gazebosim.org/schema"><link name="l">{MASS}</link>'
+            "<gz:note/></robot>",
+            says="prefix `gz` is not declared",
         ),
     )
     good = (

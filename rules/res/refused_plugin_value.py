@@ -44,7 +44,15 @@ class RefusedPluginValue(Rule):
         Bad(ODOMETRY.format("«4»"), says="is `4`, and may be `2` or `3`"),
         Bad(BATTERY.format("«0»"), says="is `0`, and may be more than 0"),
     )
-    good = (Good(MOTOR.format("ccw")), Good(ODOMETRY.format("3")), Good(BATTERY.format("1.5")))
+    good = (
+        Good(MOTOR.format("ccw")),
+        Good(ODOMETRY.format("3")),
+        Good(BATTERY.format("1.5")),
+        Good(
+            '<plugin name="gz::sim::systems::ShaderParam" filename="gz-sim-shader-param-system"><param>'
+            "<type>texture_cube</type></param></plugin>"
+        ),
+    )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:

@@ -4,6 +4,9 @@ from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Severity
 
 PHYSICS = '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>'
 IMU = '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>'
+STATES = (
+    '<plugin filename="gz-sim-joint-state-publisher-system" name="gz::sim::systems::JointStatePublisher">'
+)
 
 
 class RepeatedSystem(Rule):
@@ -42,6 +45,10 @@ class RepeatedSystem(Rule):
             scaffold='<robot name="r"><link name="base"/>{}</robot>',
             why="one for each arm",
         ),
+        Good(
+            f'<model name="m"><link name="l"/>{STATES}</plugin>{STATES}<topic>steering</topic></plugin></model>',
+            why="on topics of their own",
+        ),
     )
 
     @staticmethod
@@ -68,4 +75,4 @@ def first(plugin: Plugin) -> Plugin | None:
 
 def distinction(plugin: Plugin) -> tuple[str | None, ...]:
     texts = (plugin.get("robotNamespace"), plugin.get("namespace"), plugin.get("controller_manager_name"))
-    return (*texts, plugin.get("ros/namespace"))
+    return (*texts, plugin.get("ros/namespace"), plugin.get("topic"))

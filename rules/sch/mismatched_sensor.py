@@ -53,13 +53,18 @@ class MismatchedSensor(Rule):
             why="the plugin makes the scan",
         ),
         Good(
+            '<robot name="r"><link name="l"/><sensor name="s" type="camera"><parent link="l"/></sensor></robot>',
+            scaffold="{}",
+            why="outside of `<gazebo>` no simulator makes a sensor of it",
+        ),
+        Good(
             '<sensor name="s" type="custom"><camera/></sensor>', why="nobody knows what a custom sensor reads"
         ),
     )
 
     @staticmethod
     def applies(sensor: Sensor) -> bool:
-        expected = sensor.settings_names
+        expected = sensor.settings_names if sensor.is_extension or not sensor.is_urdf else ()
         if not expected or any(sensor.misspells(name) for name in expected):
             return False
         return wrong_settings(sensor) is not None or lacks_settings(sensor)

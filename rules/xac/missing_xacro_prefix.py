@@ -16,6 +16,9 @@ from sdfcheck import (
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 from sdfcheck_rules.xac.undefined import SHOWN
 
+FATAL = refuses("gets no robot description")
+MISSED = refuses("refuses the joint to a link that it would bring")
+
 
 class MissingXacroPrefix(Rule):
     """An element of xacro, or the call of a macro, lacks the prefix `xacro:`.
@@ -89,7 +92,7 @@ class MissingXacroPrefix(Rule):
             f"`{name}` without the prefix `xacro:` is left as it is{used(1 + len(problem.others))}",
             labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
             fix=fix,
-            affects=dict.fromkeys(Consumer, refuses("gets no robot description"))
-            if problem.is_fatal
+            affects=dict.fromkeys(Consumer, FATAL if problem.is_fatal else MISSED)
+            if problem.is_fatal or problem.is_missed
             else None,
         )

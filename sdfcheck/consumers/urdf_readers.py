@@ -104,6 +104,8 @@ def _ignoring(element: Element) -> dict[Consumer, Reaction]:
 def _otherwise_read(value: Value, mujoco: Reaction) -> Mapping[Consumer, Reaction]:
     """Reactions to what some take for a number, and urdfdom does not."""
     words = value.text.split()
+    if value.attribute == "scale" and re.fullmatch(_NUMBER, value.text.strip()):
+        return {Consumer.DRAKE: accepts("takes it for all three axes")}
     if value.attribute in _NAMING or len(words) != _FIELDS.get(value.attribute or "", 1):
         return {}
     try:

@@ -539,11 +539,11 @@ class _Proof:
             there = known[counterpart.link].copy()
             for geometry in wanted:
                 moved = replace(geometry, pose=counterpart.offset @ geometry.pose)
-                equal = list(islice(there.like(moved), _EQUAL))
-                if not equal:
+                if there.take(moved) is None:
                     self.differ(geometry.role, name, f"{geometry.kind} has no equal in the result")
                 else:
-                    there.remove(equal[0])
+                    # Of those in one place, another may have been taken for one before.
+                    equal = list(islice(known[counterpart.link].like(moved), _EQUAL))
                     self.shapes.append(Counterparts(name, geometry, equal))
 
     def differ(self, what: str, name: str, text: str) -> None:

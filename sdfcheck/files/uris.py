@@ -164,7 +164,8 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
     if os.path.isabs(path) or name in _STEPS or disk.has(beside):
         return _first(disk, scheme, (beside,))
     # Else it is looked for among the models, as Gazebo does for any scheme, and Gazebo Classic in the folders of media.
-    models = (os.path.join(model, inside) for model in _owners(document, "model", name, around).tried)
+    tried = _owners(document, "model", name, around).tried
+    models = (os.path.join(model, inside) if inside else model for model in tried)
     media = (os.path.join(above, media, "models", path) for above in around.above for media in _MEDIA)
     exported = _exported(document, path) if name in _MEDIA else ()
     return _first(disk, scheme, (beside, *models, *media, *exported))

@@ -22,7 +22,7 @@ from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Span
 from sdfcheck.xacro.expansion import Expander
-from sdfcheck.xacro.language import KEYWORDS, is_literal
+from sdfcheck.xacro.language import KEYWORDS, PREFIX, is_literal
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, expand_as_launched, goes_on, has_unknown_value, prepare
 from sdfcheck.xacro.problems import UnevaluatedExpression
@@ -259,7 +259,10 @@ _OWNERS: dict[str, type[Link | Joint]] = {
 
 
 def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator[Part]:
-    """The parts of links and joints, plugins and files, that elements in macros of a document for xacro make."""
+    """The parts of links and joints, plugins and files, that elements in macros of a document for xacro make.
+
+    And sensors, where it is expanded, which may lack what an uncalled macro would get.
+    """
     robot = root_of(document).scopes[0]
     pieces = Pieces(robot, elements)
     if pieces.resources:
@@ -267,7 +270,9 @@ def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator
         yield from pieces.resources
     for element in pieces.elements:
         if element.name == "gazebo":
-            yield from GazeboBlock(robot, element).plugins
+            block = GazeboBlock(robot, element)
+            yield from block.plugins
+            yield from filter(_is_whole, block.sensors if isinstance(document, ExpandedDocument) else ())
         owner = _OWNERS.get(element.name)
         place = next((each for each in element.around if each.name not in TRANSPARENT), None)
         if owner is None or place is None:
@@ -276,6 +281,11 @@ def parts_in_macros(document: Document, elements: Iterable[Element]) -> Iterator
         if holder is None:
             holder = robot.registry[place] = owner(robot, place)
         yield holder.part(element)
+
+
+def _is_whole(part: Part) -> bool:
+    """Is nothing in it left that xacro would have read?"""
+    return not any(each.name.startswith(PREFIX) for each in part.element.below)
 
 
 # Lints SRDF: with the robots that it may be about, and where it is written in xacro, as it expands.

@@ -891,10 +891,11 @@ def _declared_robots(semantics: Semantics, library: Library, expand: Expand | No
 
 def _is_elsewhere(path: Path, packages: Packages) -> bool:
     """Did MoveIt's assistant make the file for a robot that no file of the project is called like?"""
-    return any(
-        not any(file.name == meant.path.name for file in packages.files(meant.path.suffix, MOST_FILES))
-        for meant in declared(path, packages)
-    )
+    found = _DECLARED.search(_declaration(path))
+    if found is None:
+        return False
+    meant = Path(found[2])
+    return not any(file.name == meant.name for file in packages.files(meant.suffix, MOST_FILES))
 
 
 def _called_alike(semantics: Semantics, packages: Packages, above: float = 0.99) -> Model | None:
@@ -974,15 +975,7 @@ class Declared(NamedTuple):
 
 def declared(path: Path, packages: Packages) -> list[Declared]:
     """The robot that the settings of MoveIt's assistant name in the package of a file."""
-    settings = _package(path) / ".setup_assistant"
-    try:
-        text = read_regular(settings).decode("utf-8", "replace") if os.path.isfile(settings) else ""
-    except OSError:
-        return []
-    own = _DECLARED_FILE.search(text)
-    is_other = own is not None and path.suffix == ".srdf" and path.name != os.path.basename(own[1])
-    if own is not None and is_other and os.path.isfile(settings.parent / own[1]):
-        return []  # it is the robot of that file
+    text = _declaration(path)
     found = _DECLARED.search(text)
     folder = packages.find(found[1], path) if found is not None else None
     if found is None or folder is None:
@@ -990,6 +983,20 @@ def declared(path: Path, packages: Packages) -> list[Declared]:
     given = _GIVEN.search(text)
     arguments = _ARGUMENT.findall(given[1]) if given is not None else []
     return [Declared(folder / found[2], {name: "".join(values) for name, *values in arguments})]
+
+
+def _declaration(path: Path) -> str:
+    """The settings of MoveIt's assistant in the package of a file, if they are about it."""
+    settings = _package(path) / ".setup_assistant"
+    try:
+        text = read_regular(settings).decode("utf-8", "replace") if os.path.isfile(settings) else ""
+    except OSError:
+        return ""
+    own = _DECLARED_FILE.search(text)
+    is_other = own is not None and path.suffix == ".srdf" and path.name != os.path.basename(own[1])
+    if own is not None and is_other and os.path.isfile(settings.parent / own[1]):
+        return ""  # they are about the robot of that file
+    return text
 
 
 class Assistants:

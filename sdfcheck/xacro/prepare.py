@@ -87,6 +87,7 @@ _MISLEADING = (MissingXacroPrefix, UndeclaredXacroPrefix, UnevaluatedExpression)
 """With one of these an expansion fails, or shows what follows from them."""
 
 
+_ENDS = ("parent", "child")
 _FINAL = frozenset({Failure.LIMIT, Failure.RECURSION, Failure.REFUSED, Failure.TEXT})
 """After one of these nothing of a file is expanded."""
 
@@ -179,7 +180,7 @@ def _as_they_stop(
 
     ``parts`` are the arguments, each with the expansion as if the prefixes were there.
     """
-    fails = False
+    fails = lacks = False
     for arguments, part in parts:
         whole = expand_as_launched(document, expander.expand, arguments)
         known, problems = (
@@ -187,8 +188,22 @@ def _as_they_stop(
             for one in (part, whole)
         )
         fails |= whole.document is None and not problems <= known
+        lacks |= whole.document is not None and _lacks_ends(whole.document)
     for each in found:
-        yield each.changed(is_fatal=True) if fails and isinstance(each, MissingXacroPrefix) else each
+        if isinstance(each, MissingXacroPrefix):
+            yield each.changed(is_fatal=fails, is_missed=lacks)
+        else:
+            yield each
+
+
+def _lacks_ends(document: Document) -> bool:
+    """Does a joint name a link that the robot does not have?"""
+    root = document.root
+    if root is None or root.name != "robot":
+        return False
+    links = {link.get("name") for link in root.children("link")}
+    ends = (end for joint in root.children("joint") for name in _ENDS for end in joint.children(name))
+    return any(name not in links for name in (end.get("link") for end in ends) if name and name != "world")
 
 
 def goes_on(expansion: Expansion) -> bool:

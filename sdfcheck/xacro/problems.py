@@ -284,7 +284,8 @@ class IgnoredIncludeContent(Record):
 class MissingXacroPrefix(Record):
     """Elements of one name that are xacro's but for the prefix: the first, the others, and where it goes.
 
-    ``is_fatal``: xacro fails, for something asks for what they should have defined.
+    ``is_fatal``: xacro fails, for something asks for what they should have defined. ``is_missed``: a
+    joint names a link that they would bring.
     """
 
     span: Span
@@ -292,6 +293,7 @@ class MissingXacroPrefix(Record):
     others: tuple[Span, ...]
     edits: tuple[Span, ...]
     is_fatal: bool = False
+    is_missed: bool = False
 
 
 class UnusedProperty(Record):

@@ -120,7 +120,7 @@ def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tu
                 facts.code, facts.affects, targets, is_error=facts.severity is Severity.ERROR
             )
         )
-        if facts.affects or (not facts.default and concerns(facts.code, targets))
+        if facts.affects or concerns(facts.code, targets)
         else facts
         for facts in rules
     )

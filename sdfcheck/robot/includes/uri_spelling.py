@@ -101,11 +101,16 @@ def _scheme_fault(scheme: str, slashes: str, rest: str) -> Misspelling | None:
         return None
     if not rest.strip("/"):
         return Misspelling(UriFault.NO_NAME, None)
-    if len(slashes) != 2:
+    if len(slashes) != 2 and _names_package(lower, rest):
         return Misspelling(UriFault.SLASHES, f"{lower}://{rest}")
     if lower != scheme:
         return Misspelling(UriFault.SCHEME_CASE, f"{lower}://{rest}")
     return None
+
+
+def _names_package(scheme: str, rest: str) -> bool:
+    """Is it not a file alone, without the package that it is in? That is said of it, then."""
+    return scheme != "package" or "/" in rest or "." not in rest
 
 
 def _with_slashes(text: str) -> str:

@@ -16,6 +16,8 @@ _MISSPELT_COMMENT_END = re.compile(r"(?:--!>|--\s{1,80}>|(?<!-)->)")
 _AT_LINE_END = re.compile(r"[ \t]*(?:[\r\n]|\Z)")
 _MISSPELT_SECTION_END = re.compile(r"\]\s{0,80}\]?\s{0,80}>|\]\]")
 _END_TAG = re.compile(r"<(/?)[A-Za-z_][^<>]*?(/?)>")
+_SWITCHED_OFF = re.compile(r"<!--/?[A-Za-z_][\w:.\-]*(?:\s+[\w:.\-]+\s*=\s*(?:\"[^\"<]*\"|'[^'<]*'))*\s*/?>")
+"""A comment that begins as a tag does: somebody has put `!--` into the tag, and not a note before it."""
 
 _NEAR = 20_000
 """How far the end of something is looked for; farther away it would be a guess."""
@@ -83,6 +85,8 @@ def find_inner_comment(text: str, at: int, end: int) -> InnerComment | None:
     leftover = text.find("-->", end, following if following >= 0 else end + _NEAR)
     if leftover >= 0:
         return InnerComment(inner, False, leftover + 3, _balance(text, end, leftover) < 0)
+    if _SWITCHED_OFF.match(text, at, inner):
+        return None
     # An outer comment without end swallows what is between its words and the next comment.
     markup = text.find("<", at + 4)
     if text[at + 4 : markup].strip() and line_end(text, at, markup) < markup < inner:

@@ -28,9 +28,9 @@ ON_WORLD = ROBOT.replace(
 LEGS = ON_WORLD.replace('"fixed"', '"continuous"').replace('<parent link="a"/>', '<parent link="world"/>')
 
 
-def refusing(text: str, folder: Path) -> set[str]:
+def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
     """The consumers that are said to refuse a robot."""
-    path = folder / "robot.urdf"
+    path = folder / name
     path.write_text(text)
     rows = verdicts(path, tuple(Consumer), SearchContext(Configuration(isolated=True)))
     return {row.consumer.value for row in rows if row.verdict is Verdict.REJECT}
@@ -65,3 +65,48 @@ def refusing(text: str, folder: Path) -> set[str]:
 )
 def test_verdicts_follow_the_consumers(robot: str, old: str, new: str, expected: str, tmp_path: Path) -> None:
     assert refusing(robot.replace(old, new, 1), tmp_path) == set(expected.split())
+
+
+LIMITED = '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'
+LINKAGE = (
+    f'<robot name="r"><link name="a">{INERTIAL}</link><link name="b">{INERTIAL}</link><link name="c"/>'
+    f'<joint name="j" type="revolute"><parent link="a"/><child link="b"/>{LIMITED}'
+    f'<joint name="k" type="fixed"><parent link="a"/><child link="c"/></joint>'
+    f'<joint name="l" type="revolute"><parent link="b"/><child link="c"/>{LIMITED}</robot>'
+)
+
+
+def test_libsdformat_does_not_meet_a_loop_at_a_link_that_it_drops(tmp_path: Path) -> None:
+    assert "gazebo" not in refusing(LINKAGE, tmp_path)
+    assert "gazebo" in refusing(
+        LINKAGE.replace('<link name="c"/>', f'<link name="c">{INERTIAL}</link>'), tmp_path
+    )
+    assert "gazebo" in refusing(LINKAGE.replace('"l" type="revolute"', '"l" type="fixed"'), tmp_path)
+
+
+def test_drake_takes_one_number_as_the_scale_of_a_mesh(tmp_path: Path) -> None:
+    (tmp_path / "m.obj").write_text("")
+    mesh = '<visual><geometry><mesh filename="m.obj" scale="{}"/></geometry></visual>'
+    robot = f'<robot name="r"><link name="l">{mesh}</link></robot>'
+    assert "drake" not in refusing(robot.format("0.001"), tmp_path)
+    assert "isaac" in refusing(robot.format("0.001"), tmp_path)
+    assert "drake" in refusing(robot.format("1 1"), tmp_path)
+
+
+@pytest.mark.parametrize(("end", "expected"), [("wheel", True), ("base", False)])
+def test_a_joint_to_a_link_of_a_call_without_prefix_is_refused(
+    end: str, expected: bool, tmp_path: Path
+) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="side" params="n">'
+        f'<link name="${{n}}">{INERTIAL}</link></xacro:macro><link name="base">{INERTIAL}</link>'
+        f'<link name="top">{INERTIAL}</link><side n="wheel"/>'
+        f'<joint name="j" type="fixed"><parent link="{end}"/><child link="top"/></joint></robot>'
+    )
+    assert ("urdfdom" in refusing(text, tmp_path, "robot.urdf.xacro")) is expected
+
+
+def test_a_consumer_that_is_asked_for_refuses_what_the_others_take(tmp_path: Path) -> None:
+    text = f'<robot name="r"><link name="l">{INERTIAL}</link><gz:note/></robot>'
+    assert refusing(text, tmp_path) == {"isaac"}
+    assert refusing(text.replace("<robot", '<robot xmlns:gz="urn:gz"'), tmp_path) == set()

@@ -56,6 +56,23 @@ def test_the_summary_says_what_was_compared() -> None:
     )
 
 
+def test_of_shapes_in_one_place_each_may_be_the_one() -> None:
+    visual = (
+        '<visual><origin xyz="{}" rpy="{} 1.5707963267948966 0"/><geometry><mesh filename="{}.stl"/></geometry>'
+        '<material name="{}"><color rgba="{} 1"/></material></visual>'
+    )
+    head = visual.format(
+        "-0.12905999999999934191 7.9e-16 0.060949999999999997236", "2.2e-16", "a", "a", "1 0 0"
+    )
+    mount = visual.format(
+        "-0.12906000000000428241 3.0e-16 0.060949999999999886213", "7.1e-31", "b", "b", "0 1 0"
+    )
+    text = f'<robot name="r"><link name="l">{MASS}{head}{mount}</link></robot>'
+    done = urdf_to_sdf(read(text.encode(), Path("r.urdf"), Kind.URDF), Options())
+    assert done.verification is not None
+    assert not done.verification.differences
+
+
 @pytest.mark.parametrize(
     ("written", "other", "expected"),
     [

@@ -12,7 +12,12 @@ from tests.unit.robot.files import MODEL, codes, document, opened, reported, wri
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 LINK = MODEL.format('<link name="l">{}</link>')
 VISUAL = LINK.format('<visual name="v">{}</visual>')
-FILES = {"meshes/arm.dae": "", "materials/textures/wood.png": "", "other/model.config": ""}
+FILES = {
+    "meshes/arm.dae": "",
+    "materials/textures/wood.png": "",
+    "other/model.config": "",
+    "models/hand.dae": "",
+}
 
 
 def kinds(folder: Path, text: str) -> list[str]:
@@ -25,6 +30,8 @@ def kinds(folder: Path, text: str) -> list[str]:
     [
         ("meshes/arm.dae", []),
         ("file://meshes/arm.dae", []),
+        ("file://hand.dae", []),
+        ("file://Hand.dae", ["RES005"]),
         ("https://example.org/arm.dae", []),
         ("__default__", []),
         ("meshes/leg.dae", ["RES001"]),

@@ -225,6 +225,8 @@ def test_another_robot_of_the_name_is_not_taken_while_that_of_the_assistant_is_n
     (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: made/arm_2.urdf\n")
     assert found(package, ARM) == []
     assert found(package, wrong) == []
+    (package / ".setup_assistant").write_text("urdf:\n  package: nowhere\n  relative_path: arm_2.urdf\n")
+    assert found(package, wrong) == []
     (package / ".setup_assistant").write_text("urdf:\n  package: q\n  relative_path: made/arm.urdf\n")
     assert found(package, wrong) == [("SRD001", "uper")]
 

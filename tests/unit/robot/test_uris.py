@@ -167,7 +167,17 @@ def test_malformed(uri: str, fault: UriFault, meant: str | None) -> None:
 
 @pytest.mark.parametrize(
     "uri",
-    ["model://a/b.dae", "a b/c.dae", "https://x.org/a", "file:///a", "C:/a", "x:y", "drake://a", "a:b.stl"],
+    [
+        "model://a/b.dae",
+        "a b/c.dae",
+        "https://x.org/a",
+        "file:///a",
+        "C:/a",
+        "x:y",
+        "drake://a",
+        "a:b.stl",
+        "package:///a.stl",
+    ],
 )
 def test_sound(uri: str) -> None:
     assert misspelling(value(uri)) is None

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import sdfcheck
@@ -23,3 +25,14 @@ MODEL = '<sdf version="1.12"><model name="m">\n{}\n</model></sdf>'
 def test_a_tag_is_missing(inside: str, place: str, message: str) -> None:
     run = sdfcheck.lint(MODEL.format(inside), isolated=True, select=("XML001",))
     assert [(each.span.text, each.message) for each in run.diagnostics] == [(place, message)]
+
+
+@pytest.mark.parametrize(("end", "severity"), [("-->", "warning"), ("--><xacro:b/>", "error")])
+def test_a_call_in_a_comment_makes_no_source_of_xacro(end: str, severity: str, tmp_path: Path) -> None:
+    path = tmp_path / "robot.urdf"
+    path.write_text(
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="a"/>'
+        f'<!--link name="b"/>\n<!-- <xacro:b/> {end}</robot>'
+    )
+    found = sdfcheck.lint(path, isolated=True).diagnostics
+    assert [each.severity.value for each in found if each.code == "XML002"] == [severity]

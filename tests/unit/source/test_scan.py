@@ -9,7 +9,13 @@ from lxml import etree
 
 from sdfcheck.lint.example import unmark
 from sdfcheck.source.document import read
-from sdfcheck.source.problems import ContentAfterRoot, LateDeclaration, SyntaxDefect, SyntaxKind
+from sdfcheck.source.problems import (
+    CommentHyphens,
+    ContentAfterRoot,
+    LateDeclaration,
+    SyntaxDefect,
+    SyntaxKind,
+)
 from sdfcheck.source.scanner.full_scan import scan
 from sdfcheck.source.scanner.scan import Scan
 from sdfcheck.source.text import Source
@@ -232,6 +238,22 @@ def test_the_other_party_is_named() -> None:
     assert other(edited("<geometry>", "<geometry/>")) == "geometry"
     assert other(edited("<pose>", "<!-- c <!-- d --> e --><pose>")) == "-->"
     assert other(ROBOT[:-7]) == "sdf"
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        '<!--link name="c"/>\n  <!-- a note -->',
+        '<!--link name="c">\n <pose>0 0 0 0 0 0</pose>\n</link>\n<!-- a note -->',
+        '<!--joint name="j" type="fixed">\n <parent link="a"/>\n <!-- a note -->',
+        "<!--/joint>\n<pose/> <!-- a note -->",
+        '<!--origin xyz="0 0 0"/>\n</joint>\n<!-- a note -->',
+    ],
+)
+def test_an_element_that_is_switched_off_ends_at_the_comment_in_it(comment: str) -> None:
+    result = scanned(edited("      <pose>", f"      {comment}<pose>"))
+    assert [type(problem) for problem in result.problems] == [CommentHyphens]
+    assert names(result) == NAMES
 
 
 def test_a_nested_element_that_took_the_end_tag_of_its_parent_is_at_fault() -> None:

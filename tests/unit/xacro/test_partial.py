@@ -96,3 +96,30 @@ def test_a_link_that_the_rest_does_not_reach_is_not_an_error(
     ]
     (report,) = sdfcheck.lint(tmp_path / "robot.urdf.xacro", isolated=True, select=["XAC001"]).diagnostics
     assert report.severity.value == severity
+
+
+@pytest.mark.parametrize(
+    ("last", "inside", "expected"),
+    [
+        ("-1.5", "", [("SCH038", "720")]),
+        ("1.5", "", []),
+        ("-1.5", "<xacro:settings/>", []),
+        ("1.5", "<gz_frame_id>lidar</gz_frame_id>", []),
+        (
+            "1.5",
+            "<plugin name='p' filename='libgazebo_ros_depth_camera.so'><frame_name>a</frame_name></plugin>",
+            [],
+        ),
+    ],
+)
+def test_sensors_of_blocks_are_checked(
+    last: str, inside: str, expected: list[tuple[str, str]], tmp_path: Path
+) -> None:
+    lidar = (
+        f'<xacro:macro name="lidar" params="last"><gazebo reference="front"><sensor type="ray" name="s">{inside}'
+        "<ray><scan><horizontal><samples>720</samples><min_angle>-1.5</min_angle><max_angle>${last}</max_angle>"
+        "</horizontal></scan><range><min>0.1</min><max>9</max></range></ray></sensor></gazebo></xacro:macro>"
+        f'<xacro:lidar last="{last}"/>'
+    )
+    known = found(tmp_path, f"{MISSING}<xacro:sensor/>{lidar}")
+    assert [each for each in known if each[0] not in {"XAC007", "RES019"}] == expected
