@@ -7,6 +7,7 @@ places; substitutions in it are not known.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
@@ -338,9 +339,11 @@ def controllers_in(document: Document, address: str) -> ControllerFile:
     """The controllers of a file that a description names; none where it cannot be read as one of parameters."""
     if library_of(document) is None or not address.endswith((".yaml", ".yml")) or "$" in address:
         return _NOTHING
-    from sdfcheck.files.uris import locate
+    from sdfcheck.files.uris import as_built, locate
 
     path = locate(document, address).path
+    if path is None and os.path.isabs(address):
+        path = as_built(document, address)
     return _NOTHING if path is None else document.view(_Parsed).at(str(path))
 
 
