@@ -41,16 +41,23 @@ class ExchangedDriveSides(Rule):
             says="`front_left_joint` names `back_left_joint`, which is 0.5 m behind `front_left_joint`",
         ),
     )
-    good = (Good(rover()), Good(car(base="0.5")))
+    good = (
+        Good(rover()),
+        Good(car(base="0.5")),
+        Good(
+            rover(axis="0 -1 0").replace('axis xyz="0 1 0"', 'axis xyz="0 -1 0"'),
+            why="the axes are turned, not the sides: opposed-drive-axes owns this one",
+        ),
+    )
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return any(drive.misplaced is not None for drive in plugin.drives)
+        return any(drive.misplaced is not None and not drive.is_backward for drive in plugin.drives)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for drive in plugin.drives:
-            if drive.misplaced is None:
-                continue
+            if drive.misplaced is None or drive.is_backward:
+                continue  # of the second opposed-drive-axes reports the axes
             wheel, other, way = drive.misplaced
             distance = abs(wheel.ahead_of(other, drive.left.axis))
             if way == "behind":

@@ -1,19 +1,33 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Drive, Good, Plugin, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 MOST = 0.1
 """Of the radius that the plugin says."""
 ALIKE = 0.01
-"""Of the radius of the other wheel."""
+"""Of the radius of the other wheel of a pair; wheels of other axles may differ by a tenth."""
+BACK = "".join(
+    f'<link name="back_{side}"><collision><origin rpy="1.5708 0 0"/>'
+    f'<geometry><cylinder radius="{{{side}}}" length="0.04"/></geometry></collision></link>'
+    f'<joint name="back_{side}_joint" type="continuous"><origin xyz="-0.4 {y} 0"/>'
+    f'<parent link="base"/><child link="back_{side}"/><axis xyz="0 1 0"/></joint>'
+    for side, y in (("left", 0.17), ("right", -0.17))
+)
+NAMES = "<left_joint>back_left_joint</left_joint><right_joint>back_right_joint</right_joint></plugin>"
+
+
+def four(*, left: str, right: str) -> str:
+    """The rover with two more wheels of such radii."""
+    wheels = BACK.format(left=left, right=right)
+    return rover().replace("<gazebo>", f"{wheels}<gazebo>").replace("</plugin>", NAMES)
 
 
 class MismatchedWheelRadius(Rule):
     """The wheels of a differential drive have another radius than the plugin or controller says, or two different ones.
 
     Speed and odometry are computed from one radius. Of two wheels that differ the larger one gets ahead: the robot
-    drives in a circle.
+    drives in a circle. Of two axles one slides, or does not touch the floor.
     """
 
     code = "GEO012"
@@ -41,10 +55,15 @@ class MismatchedWheelRadius(Rule):
             rover(radius="«0.096»"),
             says="the right wheel has a radius of 0.096 m, and the left one of 0.1 m",
         ),
+        Bad(
+            four(left="«0.06»", right="0.06"),
+            says="wheel `back_left` has a radius of 0.06 m, and wheel `left` one of 0.1 m",
+        ),
     )
     good = (
         Good(rover(wheel_radius="0.1")),
         Good(rover(wheel_radius="0.095"), why="a soft tire"),
+        Good(four(left="0.095", right="0.095")),
         Good(
             rover(wheel_diameter="0.1"),
             why="the plugin does not read it: misspelled-plugin-parameter owns this one",
@@ -53,20 +72,23 @@ class MismatchedWheelRadius(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return any(differ(drive) or is_mismatched(drive) for drive in plugin.drives)
+        return any(other_wheel(drive) is not None or is_mismatched(drive) for drive in plugin.drives)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for drive in plugin.drives:
             yield from self.of_drive(plugin, drive)
 
     def of_drive(self, plugin: Plugin, drive: Drive) -> Iterator[Diagnostic]:
-        left, right = drive.left, drive.right
-        if differ(drive):
-            link, other = right.joint.child_link, left.joint.child_link
-            shapes = [(each.collisions or each.visuals)[0] for each in (link, other) if each is not None]
+        left, right, other = drive.left, drive.right, other_wheel(drive)
+        if other is not None:
+            joint, radius = other
+            links = [each for each in (joint.child_link, left.joint.child_link) if each is not None]
+            shapes = [(each.collisions or each.visuals)[0] for each in links]
+            words = [f"wheel `{links[0].name}`", f"wheel `{links[-1].name}` one"]
+            one, two = ["the right wheel", "the left one"] if joint is right.joint else words
             yield self.diagnostic(
                 shapes[0].geometry.radius,
-                f"the right wheel has a radius of {right.radius:.3g} m, and the left one of {left.radius:.3g} m",
+                f"{one} has a radius of {radius:.3g} m, and {two} of {left.radius:.3g} m",
                 labels={
                     shapes[1].geometry.radius: "the other radius",
                     plugin: f"this {drive.title.split()[0]} takes one for both",
@@ -82,9 +104,12 @@ class MismatchedWheelRadius(Rule):
             )
 
 
-def differ(drive: Drive) -> bool:
-    """Have the two wheels different radii?"""
-    return abs(drive.left.radius - drive.right.radius) > ALIKE * drive.left.radius
+def other_wheel(drive: Drive) -> tuple[Joint, float] | None:
+    """The joint and the radius of the first wheel that has another radius than the first on the left."""
+    left, right = drive.left.radius, drive.right
+    wheels = [(each, ALIKE if each is right else MOST) for each in (right, *drive.wheels)]
+    found = (each for each, most in wheels if abs(each.radius - left) > most * left)
+    return next(((each.joint, each.radius) for each in found), None)
 
 
 def is_mismatched(drive: Drive) -> bool:

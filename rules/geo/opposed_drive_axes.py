@@ -42,11 +42,12 @@ CAR = {
 
 
 class OpposedDriveAxes(Rule):
-    """The wheels of a drive turn in opposite directions, or its steering turns the other way.
+    """The wheels of a drive turn in opposite directions or backwards, or its steering turns the other way.
 
     The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
-    and drives on the command to turn. It steers to the left by positive angles: about an axis that points down they
-    steer to the right. So do the controllers of ros2_control that steer, where a plugin names their file.
+    and drives on the command to turn. Where the axes of all point to the right, it drives backwards. It steers to the
+    left by positive angles: about an axis that points down they steer to the right. So do the controllers of
+    ros2_control that steer, where a plugin names their file.
     """
 
     code = "GEO010"
@@ -72,6 +73,11 @@ class OpposedDriveAxes(Rule):
             says="are opposite, and controller `drive` turns both alike",
         ),
         Bad(
+            rover(axis="0 -1 0").replace('axis xyz="0 1 0"', 'axis xyz="«0 -1 0»"'),
+            says="the axes of `left_joint` and `right_joint` point to the right: drive `gz::sim::systems::DiffDrive`"
+            " goes backwards",
+        ),
+        Bad(
             steered(left="«0 0 -1»", right="0 0 -1"),
             says="the axis of `left_steer` points down: a command to turn left steers to the right",
         ),
@@ -89,7 +95,9 @@ class OpposedDriveAxes(Rule):
 
     @staticmethod
     def applies(part: Plugin | ControlComponent) -> bool:
-        return bool(opposed(part) or hanging(part)) if isinstance(part, Plugin) else turned(part) is not None
+        if isinstance(part, Plugin):
+            return bool(opposed(part) or hanging(part) or backward(part))
+        return turned(part) is not None
 
     def check(self, part: Plugin | ControlComponent) -> Iterator[Diagnostic]:
         down = "points down: a command to turn left steers to the right"
@@ -109,6 +117,13 @@ class OpposedDriveAxes(Rule):
                     plugin: f"this {drive.title.split()[0]}",
                 },
             )
+        for drive in backward(plugin)[:1]:
+            one, other = drive.left.joint, drive.right.joint
+            yield self.diagnostic(
+                one.axis.xyz,
+                f"the axes of `{one.name}` and `{other.name}` point to the right: {drive.title} goes backwards",
+                labels={other.axis.xyz: "the other axis", plugin: f"this {drive.title.split()[0]}"},
+            )
         for joint in hanging(plugin)[:1]:
             message = f"the axis of `{joint.name}` {down}"
             yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
@@ -123,6 +138,11 @@ def turned(component: ControlComponent) -> Joint | None:
     names = list(component.block.joints)
     before = (component.block.joints[name] for name in names[: names.index(component.name)])
     return None if any(turned(other) is not None for other in before) else joint
+
+
+def backward(plugin: Plugin) -> list[Drive]:
+    """The drives whose wheels all turn about axes that point to the right of the robot."""
+    return [drive for drive in plugin.drives if drive.is_backward]
 
 
 def hanging(plugin: Plugin) -> list[Joint]:

@@ -20,6 +20,11 @@ FILES = {
     "arm/package.xml": "<package><name>arm</name></package>",
     "arm/config/control.yaml": "controller_manager: {ros__parameters: {update_rate: 100}}\n",
 }
+INSTALLED = {
+    "arm/package.xml": FILES["arm/package.xml"],
+    "arm/bringup/config/control.yaml": FILES["arm/config/control.yaml"],
+    "arm/CMakeLists.txt": "project(arm)\ninstall(DIRECTORY bringup/config DESTINATION share/arm)\n",
+}
 
 
 class ControlPluginWithoutParameters(Rule):
@@ -59,6 +64,13 @@ class ControlPluginWithoutParameters(Rule):
     )
     good = (
         Good(FOUND.format("$(find arm)/config/control.yaml"), scaffold=XACRO, file=FILE, files=FILES),
+        Good(
+            FOUND.format("$(find arm)/config/control.yaml"),
+            scaffold=XACRO,
+            file=FILE,
+            files=INSTALLED,
+            why="it is there once the package is installed",
+        ),
         Good(
             '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
             "<parameters>controllers.yaml</parameters></plugin></gazebo>"

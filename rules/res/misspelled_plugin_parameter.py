@@ -21,6 +21,9 @@ CAMERA = (
     '</camera><plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin></sensor></link>'
 )
 MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
+MANAGERS = ("gz_ros2_control", "ign_ros2_control")
+OF_NODE = frozenset(("namespace", "remapping"))
+"""Settings that a controller manager of the new Gazebo reads within `<ros>` alone."""
 DRIVE = '<plugin name="gz::sim::systems::DiffDrive" filename="gz-sim-diff-drive-system">{}</plugin>'
 
 
@@ -29,7 +32,8 @@ class MisspelledPluginParameter(Rule):
 
     Plugins ask for their parameters by name, and never say what they did not ask for: the default is
     taken. Case counts. In a package of ROS 2, plugins of Gazebo Classic are those of ROS 2, whose
-    parameters have other names than those of ROS 1: `frame_name`, not `frameName`.
+    parameters have other names than those of ROS 1: `frame_name`, not `frameName`. The `<namespace>` of the controller
+    manager in the new Gazebo is read within `<ros>` alone.
     """
 
     code = "RES019"
@@ -60,6 +64,11 @@ class MisspelledPluginParameter(Rule):
             says="did you mean `controller_manager_name`?",
         ),
         Bad(
+            '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters><«namespace»>left</namespace></plugin>",
+            says="does not read `namespace` here, but within `<ros>`",
+        ),
+        Bad(
             DRIVE.format("<«wheel_diameter»>0.2</wheel_diameter>"),
             says="does not read `wheel_diameter`, which is a parameter of `gazebo_ros_diff_drive`",
             also=("RES021",),
@@ -81,6 +90,10 @@ class MisspelledPluginParameter(Rule):
     )
     good = (
         Good(DRIVE.format("<topic>cmd_vel</topic>")),
+        Good(
+            '<plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
+            "<parameters>c.yaml</parameters><ros><namespace>left</namespace></ros></plugin>"
+        ),
         Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),
         Good(CAMERA.format("<frame_name>eye_link</frame_name><focalLength>0</focalLength>"), files=ROS_2),
         Good(
@@ -92,7 +105,12 @@ class MisspelledPluginParameter(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return bool(plugin.misspelled_parameters or plugin.outdated_parameters or plugin.foreign_parameters)
+        return bool(
+            plugin.misspelled_parameters
+            or plugin.outdated_parameters
+            or plugin.foreign_parameters
+            or outside(plugin)
+        )
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for parameter, meant in plugin.misspelled_parameters:
@@ -111,6 +129,16 @@ class MisspelledPluginParameter(Rule):
         for parameter, other in plugin.foreign_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`, which is a parameter of `{other}`"
             yield self.diagnostic(parameter, message)
+        for parameter in outside(plugin):
+            message = f"{plugin.title} does not read `{parameter.name}` here, but within `<ros>`"
+            yield self.diagnostic(parameter, message, help="put it into `<ros>`")
+
+
+def outside(plugin: Plugin) -> list[Element]:
+    """The settings of the node of a controller manager that are beside ``<ros>``."""
+    if plugin.known is None or not plugin.known.file.startswith(MANAGERS):
+        return []
+    return [each for each in plugin.parameters if each.name in OF_NODE]
 
 
 def renamed(parameters: Iterable[tuple[Element, str]]) -> Fix | None:

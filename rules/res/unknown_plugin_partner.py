@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Link, Model, Plugin, Rule, Severity, Value, World
+from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Model, Plugin, Rule, Severity, Value, World
 
 DETACHABLE = "gz-sim-detachable-joint-system"
 ITSELF = "__model__"
@@ -13,6 +13,12 @@ CARRIER = (
 AUTOPILOT = (
     '<plugin name="ArduPilotPlugin" filename="ArduPilotPlugin"><imuName>{}</imuName></plugin>'
     '<link name="mast"><sensor name="imu" type="imu"/></link>'
+)
+MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
+MERGED = (
+    f'<robot name="r"><link name="hull">{MASS}</link><link name="mast"/><joint name="j" type="fixed">'
+    '<parent link="hull"/><child link="mast"/></joint><gazebo reference="mast"><sensor name="imu" type="imu"/></gazebo>'
+    '<gazebo><plugin name="ArduPilotPlugin" filename="ArduPilotPlugin"><imuName>{}</imuName></plugin></gazebo></robot>'
 )
 
 
@@ -54,6 +60,10 @@ class UnknownPluginPartner(Rule):
             says="model `m` has no sensor `gyro`; there is `mast::imu`",
         ),
         Bad(AUTOPILOT.format("«tail::imu»"), scaffold=IN_MODEL, says="model `m` has no sensor `tail::imu`"),
+        Bad(
+            MERGED.format("«mast::imu»"),
+            says="robot `r` has no sensor `mast::imu` once its links are merged; there is `hull::imu`",
+        ),
     )
     good = (
         Good(CARRIER.format("payload", "cover", "")),
@@ -62,6 +72,7 @@ class UnknownPluginPartner(Rule):
         Good(AUTOPILOT.format("mast::imu"), scaffold=IN_MODEL),
         Good(AUTOPILOT.format("imu"), scaffold=IN_MODEL, why="the name is enough"),
         Good(AUTOPILOT.format("m::mast::imu"), scaffold=IN_MODEL, why="as Gazebo Classic writes it"),
+        Good(MERGED.format("hull::imu")),
     )
 
     @staticmethod
@@ -103,20 +114,22 @@ def unknown_link(value: Value, model: Model) -> Iterator[tuple[Value, str, str |
 
 def unknown_sensor(value: Value, model: Model) -> Iterator[tuple[Value, str, str | None]]:
     """The sensor that a plugin asks for by its name, after those of its link and models or alone."""
-    links, name = list(links_in(model)), value.text.strip()
+    name = value.text.strip()
     if not name or "$" in name or not model.is_complete:
         return
     *path, last = name.split("::")
-    found = [f"{link.name}::{sensor.name}" for link in links for sensor in link.sensors]
-    ends = "::".join((*path[-1:], last))
+    found, ends = list(sensors_in(model)), "::".join((*path[-1:], last))
     if not found or any(each == ends or (not path and each.endswith(f"::{last}")) for each in found):
         return
-    message = f"{model.title} has no sensor `{name}`"
+    written = {f"{link.name}::{sensor.name}" for link in model.links for sensor in link.sensors}
+    merged = " once its links are merged" if model.is_urdf and ends in written else ""
+    message = f"{model.title} has no sensor `{name}`{merged}"
     yield value, message + (f"; there is `{found[0]}`" if len(found) == 1 else ""), None
 
 
-def links_in(model: Model) -> Iterator[Link]:
-    """Its links and those of the models in it."""
-    yield from model.links
+def sensors_in(model: Model) -> Iterator[str]:
+    """The sensors in its links and in those of the models in it, after their links; of URDF as Gazebo has them."""
+    links = model.as_built_by(Consumer.GAZEBO).links.values() if model.is_urdf else model.links
+    yield from (f"{link.name}::{sensor.name}" for link in links for sensor in link.sensors)
     for each in model.models:
-        yield from links_in(each)
+        yield from sensors_in(each)

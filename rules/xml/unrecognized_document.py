@@ -1,9 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, problems, write_instead
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, drops, problems, write_instead
 
 PARTS = frozenset(("gazebo", "joint", "link", "material", "ros2_control", "transmission"))
 """Parts that only a robot holds."""
+SEEN = (
+    Consumer.DRAKE,
+    Consumer.GAZEBO,
+    Consumer.PINOCCHIO,
+    Consumer.PYBULLET,
+    Consumer.ROS,
+    Consumer.URDFDOM,
+)
+SETTINGS = {**dict.fromkeys(SEEN, accepts("takes the element `robot`")), Consumer.MUJOCO: drops("the robot")}
+"""The reactions to a file in which settings for MuJoCo are before the robot."""
 
 
 class UnrecognizedDocument(Rule):
@@ -32,6 +42,11 @@ class UnrecognizedDocument(Rule):
             says="did you mean `robot`?",
         ),
         Bad(
+            '<«mujoco»><compiler discardvisual="false"/></mujoco>\n<robot name="r"><link name="l"/></robot>',
+            file="r.urdf",
+            says="the root element is `mujoco`, and MuJoCo does not see the `robot` after it",
+        ),
+        Bad(
             '<«gazebo» reference="l"/>\n<gazebo reference="m"/>',
             file="gazebo.urdf",
             says="the root element is `gazebo`, which belongs in a `robot`",
@@ -53,11 +68,15 @@ class UnrecognizedDocument(Rule):
             message = f"this looks like {problem.looks_like}, not like a robot description"
         else:
             message = f"the root element is `{problem.root}`, not `sdf` or `robot`"
-            if problem.root in PARTS:
+            if problem.root == "mujoco":
+                message = "the root element is `mujoco`, and MuJoCo does not see the `robot` after it"
+                advice = "put it into `<robot>`"
+            elif problem.root in PARTS:
                 message = f"the root element is `{problem.root}`, which belongs in a `robot`"
                 advice = "put it into `<robot>`, or exclude the file if something pastes it into one"
                 severity = Severity.WARNING
             elif problem.suggestion is not None:
                 message = f"unknown root element `{problem.root}`; did you mean `{problem.suggestion}`?"
         fix = write_instead(problem.suggestion, problem.span, problem.end) if problem.end else None
-        yield self.diagnostic(problem.span, message, help=advice, severity=severity, fix=fix)
+        affects = SETTINGS if problem.root == "mujoco" else None
+        yield self.diagnostic(problem.span, message, help=advice, severity=severity, fix=fix, affects=affects)

@@ -253,6 +253,13 @@ _MOST_LIKE = 20
 _BUILDS = ("CMakeLists.txt", "setup.py")
 
 
+def as_built(document: Document, path: str) -> Path | None:
+    """The file at a path, or the one that the build of its package installs there; None without one."""
+    library = library_of(document)
+    found = Path(path) if library is None else library.packages(document.path).locate(Path(path))
+    return found if os.path.exists(found) else None
+
+
 def substitute(document: Document, path: str) -> str | None:
     """A file of the same name, from its package on, for one in a package that is not there; empty without one.
 
@@ -261,7 +268,7 @@ def substitute(document: Document, path: str) -> str | None:
     library = library_of(document)
     is_plain = os.path.isabs(path) and os.pardir not in path.split("/")
     around = package_around(path) if is_plain else None
-    if library is None or around is None or any(os.path.exists(each) for each in (path, path + TEMPLATE)):
+    if library is None or around is None or os.path.exists(path + TEMPLATE) or as_built(document, path):
         return None
     package, name = around[0], os.path.basename(path)
     for build in _BUILDS:

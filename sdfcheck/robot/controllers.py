@@ -7,6 +7,7 @@ places; substitutions in it are not known.
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
@@ -161,9 +162,29 @@ _KINDS: Mapping[str, Kind] = {
         names=f"{_FOR_FINGER} max_effort_interface max_velocity max_velocity_interface state_interfaces",
     ),
     "imu_sensor_broadcaster/IMUSensorBroadcaster": _SENSOR,
+    "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster": _SENSOR,
     "force_torque_sensor_broadcaster/ForceTorqueStateBroadcaster": _SENSOR,
     _BROADCASTER: Kind(types="list: joints interfaces bool: use_local_topics"),
 }
+_OTHER_TYPES = (
+    "admittance_controller/AdmittanceController battery_state_broadcaster/BatteryStateBroadcaster "
+    "chained_filter_controller/ChainedFilter forward_command_controller/MultiInterfaceForwardCommandController "
+    "gpio_controllers/GpioCommandController gps_sensor_broadcaster/GPSSensorBroadcaster "
+    "magnetometer_broadcaster/MagnetometerBroadcaster omni_wheel_drive_controller/OmniWheelDriveController "
+    "motion_primitives_controllers/MotionPrimitivesForwardController pid_controller/PidController "
+    "pose_broadcaster/PoseBroadcaster range_sensor_broadcaster/RangeSensorBroadcaster "
+    "state_interfaces_broadcaster/StateInterfacesBroadcaster"
+)
+"""The controllers of ros2_controllers of which nothing but the type is known."""
+_FORMER_PACKAGES = {
+    "force_torque_sensor_controller": "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
+    "imu_sensor_controller": "imu_sensor_broadcaster/IMUSensorBroadcaster",
+    "joint_state_controller": _BROADCASTER,
+}
+"""Packages of ROS 1 that ROS 2 has under another name, with the types there."""
+_FORMER_TYPES = {"JointTrajectoryController": "joint_trajectory_controller/JointTrajectoryController"}
+"""Controllers of ROS 1 that were in several packages, with their types in ROS 2."""
+_TYPES = (*_KINDS, *_OTHER_TYPES.split())
 _OWN_JOINTS = "command_joints"
 """The parameter that names the joints of the hardware where they are called otherwise than those of a trajectory."""
 _COUNTS = {"Ackermann": (2, 2), "Tricycle": (2, 1), "Bicycle": (1, 1)}
@@ -282,6 +303,8 @@ class ControllerFile(NamedTuple):
     miscounted: tuple[Miscounted, ...] = ()
     manager: Parameter | None = None
     """The name of the controller manager's parameters, if they are for one without a namespace."""
+    strange: tuple[Misspelled, ...] = ()
+    """The controllers of a type that their package does not have, each with one that it has."""
 
 
 _NOTHING = ControllerFile()
@@ -316,9 +339,11 @@ def controllers_in(document: Document, address: str) -> ControllerFile:
     """The controllers of a file that a description names; none where it cannot be read as one of parameters."""
     if library_of(document) is None or not address.endswith((".yaml", ".yml")) or "$" in address:
         return _NOTHING
-    from sdfcheck.files.uris import locate
+    from sdfcheck.files.uris import as_built, locate
 
     path = locate(document, address).path
+    if path is None and os.path.isabs(address):
+        path = as_built(document, address)
     return _NOTHING if path is None else document.view(_Parsed).at(str(path))
 
 
@@ -353,6 +378,7 @@ def _controllers(source: Source) -> ControllerFile:
         unreached,
         tuple(each for name in nodes for each in _miscounted(source, name, declared[name], nodes[name])),
         Parameter("name", _MANAGER, span_of(source, key[0])) if key is not None and is_alone else None,
+        tuple(_strange(source, {**types, **declared})),
     )
 
 
@@ -492,6 +518,19 @@ def _misspelled(
             if name not in names and (meant := suggest(name, left, effort)) is not None:
                 word = declared[owner][0].value.rpartition("/")[2]
                 yield Misspelled(owner, word, name, meant, span_of(source, key))
+
+
+def _strange(source: Source, declared: Mapping[str, Sequence[Any]]) -> Iterator[Misspelled]:
+    """The controllers whose package is one of ros2_controllers, or was one in ROS 1, and has no such type."""
+    effort = Effort()
+    first = {each.partition("/")[0]: each for each in reversed(_TYPES)} | _FORMER_PACKAGES
+    for owner, types in declared.items():
+        name = types[0].value if types else ""
+        package, _, kind = name.partition("/")
+        if kind and package in first and name not in _TYPES and not effort.is_spent:
+            near = None if package in _FORMER_PACKAGES else suggest(name, _TYPES, effort)
+            meant = _FORMER_TYPES.get(kind) or near or first[package]
+            yield Misspelled(owner, kind, name, meant, span_of(source, types[0]))
 
 
 def _untyped(

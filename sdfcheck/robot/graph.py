@@ -2315,6 +2315,14 @@ class Drive(NamedTuple):
         return next(found, None)
 
     @property
+    def is_backward(self) -> bool:
+        """Do the axes of all wheels point to the right, while the left wheels are on the left of a robot along x?"""
+        is_turned = self.has_sides and all(wheel.axis[1] < -0.9 for wheel in self.wheels)
+        return is_turned and all(
+            left.position[1] > right.position[1] + _NEAR for left, right in product(self.lefts, self.rights)
+        )
+
+    @property
     def written_radius(self) -> float:
         """The radius that the plugin takes (m); nan if none is written."""
         number = self.radius.own_value.number if self.radius is not None else math.nan
@@ -3366,6 +3374,11 @@ class Model(Scope):
     def misspelled_parameters(self) -> Iterator[tuple[Plugin, Misspelled]]:
         """The parameters that a controller does not read, each with the plugin as above, and what was meant."""
         return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.misspelled)
+
+    @property
+    def strange_controllers(self) -> Iterator[tuple[Plugin, Misspelled]]:
+        """The controllers of a type that there is not, each with the plugin as above, and one that there is."""
+        return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.strange)
 
     @lazy
     def idle_broadcaster(self) -> str:

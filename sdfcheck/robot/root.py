@@ -347,6 +347,32 @@ class Root(Whole):
         return tuple((one, each) for one, names in found for each in started_untyped(self.document, names))
 
     @lazy
+    def second_manager(self) -> Span | None:
+        """Where a launch file starts a controller manager beside that of Gazebo, for which all hardware is."""
+        blocks = [block for model in self.models for block in model.ros2_control]
+        if not blocks or not all(block.is_simulated for block in blocks):
+            return None
+        if not any(model.control_plugins for model in self.models):
+            return None
+        from sdfcheck.robot.ros_files import second_manager
+
+        return second_manager(self.document)
+
+    @lazy
+    def odometry_filters(self) -> tuple[BaseFrame, ...]:
+        """The filters of its project that publish the odometry of a robot in Gazebo, each with the link."""
+        from sdfcheck.robot.ros_files import odometry_filters
+
+        return odometry_filters(self.document)
+
+    @lazy
+    def lost_states(self) -> Span | None:
+        """Where a launch file makes transforms of the states of joints, although nothing in its project has these."""
+        from sdfcheck.robot.ros_files import lost_states
+
+        return lost_states(self.document)
+
+    @lazy
     def bridge_faults(self) -> tuple[BridgeFault, ...]:
         """The entries of bridges of the project that are not taken, and are for its sensors and systems."""
         if not self.elements.get("sensor") and not self.elements.get("plugin"):

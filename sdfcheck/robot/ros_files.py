@@ -64,6 +64,7 @@ _NODE_OF = {"base_frame_id": "amcl", "base_frame": "slam_toolbox"}
 """Parameters for the base of a robot that are such a one in a node alone."""
 _BESIDE = {"base_link_frame": "odom_frame"}
 """The same with the parameter that is beside it."""
+_FILTER = "robot_localization"
 _PROGRAMS = (".py", ".launch", ".xml", ".cpp", ".hpp", ".lua")
 
 _PICTURE = {"Image": ("",), "CameraInfo": ("/../camera_info",)}
@@ -258,6 +259,11 @@ class _Bridges:
 def _files(packages: Packages, suffixes: Iterable[str]) -> Iterator[Path]:
     for suffix in suffixes:
         yield from packages.files(suffix, _MOST_FILES)
+
+
+def _absolute(path: Path) -> Path:
+    """A path as the files of a project are listed: the one that was named may be relative."""
+    return Path(os.path.abspath(path))
 
 
 def _text(path: Path, most: int) -> str:
@@ -476,7 +482,8 @@ def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin
     bridges = library.of_project(document.path, _Bridges)
     if "" in bridges.unknown:
         return
-    own = {document.path, *(end.part.element.span.source.path for end in ends)}
+    sources = (document.source, *(end.part.element.span.source for end in ends))
+    own = {Path(source.real_path) for source in sources} | {_absolute(source.path) for source in sources}
     open_types = {message for end in ends if end.topics is None for message in end.messages} | bridges.unknown
     lacking = [(end, _lacking(end, ends, bridges.carried, open_types)) for end in ends]
     for each in bridges.carried:
@@ -600,9 +607,87 @@ def started_untyped(document: Document, nodes: Sequence[Parameter]) -> Iterator[
     if started is None or started.is_open:
         return
     for node in nodes:
-        others = (words for path, words in started.typed.items() if path != node.span.source.path)
+        own = _absolute(node.span.source.path)
+        others = (words for path, words in started.typed.items() if path != own)
         if node.name in started.words and not any(node.name in words for words in others):
             yield node
+
+
+_MANAGER = "ros2_control_node"
+_GAZEBO = re.compile(r"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo|spawn_entity)\b")
+_CONDITION = re.compile(
+    r"\b(?:If|Unless)\w*Condition\b|\bcondition\s*=|\b(?:if|unless)\s*=\s*[\"']|OpaqueFunction"
+)
+
+
+class _Managers:
+    """The places where a launch file of a project starts Gazebo and a controller manager, in any case."""
+
+    def __init__(self, packages: Packages) -> None:
+        self.found: list[tuple[Span, frozenset[str]]] = []
+        said: dict[str, frozenset[str]] = {}
+        for path, text in launch_texts(packages):
+            bare = _REMARK.sub(lambda match: " " * len(match[0]), text)
+            if _CONDITION.search(bare):
+                continue
+            words = frozenset(_NAMES.findall(bare))
+            said[path.name] = words if path.name not in said else frozenset()
+            start = bare.find(_MANAGER)
+            if start >= 0 and _GAZEBO.search(bare) and len(self.found) < _MOST_FILES:
+                span = Span(Source(path, text, is_foreign=True), start, start + len(_MANAGER))
+                self.found.append((span, words))
+        self.found = [
+            (span, words.union(*(said[name] for name in words if name in said))) for span, words in self.found
+        ]
+
+
+def second_manager(document: Document) -> Span | None:
+    """Where a launch file that names a document starts a controller manager beside that of Gazebo."""
+    library = library_of(document)
+    managers = library.of_project(document.path, _Managers).found if library is not None else ()
+    return next((span for span, words in managers if document.path.name in words), None)
+
+
+# States of joints.
+
+_STATES = re.compile(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|ros2?_control", re.IGNORECASE)
+"""Words of whatever may publish states, or transforms of wheels."""
+_BRIDGE = re.compile(r"^.*_topic_name.*$|[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
+"""Entries of a bridge, which carries the states of others."""
+_TRANSFORMER = "robot_state_publisher"
+
+
+class _States:
+    """The first place where a project makes transforms of the states of joints, if nothing in it has these."""
+
+    def __init__(self, packages: Packages) -> None:
+        self.started: Span | None = None
+        launches = {path: _without_bridges(text) for path, text in launch_texts(packages)}
+        started = next((path for path, text in launches.items() if _TRANSFORMER in text), None)
+        if started is None or any(map(_STATES.search, launches.values())):
+            return
+        texts = _texts(packages, (*_DESCRIPTIONS, *_PROGRAMS, ".yaml", ".yml"))
+        if texts is None or any(map(_STATES.search, map(_without_bridges, texts.values()))):
+            return
+        start = launches[started].index(_TRANSFORMER)
+        source = Source(started, launches[started], is_foreign=True)
+        self.started = Span(source, start, start + len(_TRANSFORMER))
+
+
+def _without_bridges(text: str) -> str:
+    """A text with blanks in place of remarks and of entries of bridges."""
+    bare = _REMARK.sub(lambda match: " " * len(match[0]), text)
+    return (
+        _BRIDGE.sub(lambda match: " " * len(match[0]), bare) if "_topic_name" in bare or "@" in bare else bare
+    )
+
+
+def lost_states(document: Document) -> Span | None:
+    """Where a project makes transforms of the states of joints, although nothing in it publishes these."""
+    library = library_of(document)
+    if library is None or _STATES.search(_without_bridges(document.source.text)) is not None:
+        return None
+    return library.of_project(document.path, _States).started
 
 
 # Parameters that YAML does not take.
@@ -650,6 +735,8 @@ class BaseFrame(NamedTuple):
     node: str
     name: str
     span: Span
+    is_odometry: bool = False
+    """Does the node publish where the frame is in that of the odometry?"""
 
 
 class _Frames:
@@ -670,6 +757,20 @@ class _Frames:
     def given(self) -> tuple[BaseFrame, ...]:
         """The frames that nodes give, by all files."""
         return tuple(each for source in self._sources for each in _bases(source))
+
+    @lazy
+    def filters(self) -> tuple[BaseFrame, ...]:
+        """The filters of robot_localization that publish the odometry, and that a launch file starts with Gazebo."""
+        texts = (_REMARK.sub("", text) for _, text in launch_texts(self._packages) if _FILTER in text)
+        launches = [text for text in texts if _GAZEBO.search(text) and not _CONDITION.search(text)]
+        words = frozenset(chain.from_iterable(map(_NAMES.findall, launches)))
+        return tuple(
+            each
+            for source in self._sources
+            if source.path.name in words
+            for each in _bases(source)
+            if each.is_odometry
+        )
 
     def is_named(self, name: str) -> bool:
         """Does a description, launch file or program of the project have a name?"""
@@ -695,7 +796,22 @@ def _bases(source: Source) -> Iterator[BaseFrame]:
             value = given.get(name)
             is_meant = node.startswith(_NODE_OF.get(name, "")) and _BESIDE.get(name, name) in given
             if value is not None and value.id == "scalar" and is_meant:
-                yield BaseFrame(node or name, value.value, span_of(source, value))
+                yield BaseFrame(node or name, value.value, span_of(source, value), _is_odometry(given))
+
+
+def _is_odometry(given: Mapping[str, Any]) -> bool:
+    """Does a filter with such parameters publish the transform of the odometry?"""
+    texts = {
+        name: getattr(given.get(name), "value", None) for name in ("odom_frame", "world_frame", "publish_tf")
+    }
+    is_off = str(texts["publish_tf"]).lower() == "false"
+    return not is_off and texts["odom_frame"] is not None and texts["odom_frame"] == texts["world_frame"]
+
+
+def odometry_filters(document: Document) -> tuple[BaseFrame, ...]:
+    """The filters that publish the odometry of a robot, where a launch file of the project starts them with Gazebo."""
+    library = library_of(document)
+    return library.of_project(document.path, _Frames).filters if library is not None else ()
 
 
 def missing_bases(document: Document, links: Collection[str]) -> Iterator[BaseFrame]:

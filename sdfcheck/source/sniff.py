@@ -232,7 +232,9 @@ def _sniff_xml(text: str, start: int, path: Path) -> Kind:
     ):
         return Kind.XACRO
     if name in _ROOTS:
-        return _ROOTS[name]
+        # Settings for MuJoCo that are before the robot, not in it.
+        is_before = name == "mujoco" and suffix == ".urdf" and "<robot" in text
+        return Kind.OTHER_XML if is_before else _ROOTS[name]
     # Two of its three signs are enough.
     if sum((name == "model", "<sdf" in text, path.name.lower() == "model.config")) > 1:
         return Kind.MODEL_CONFIG

@@ -238,6 +238,43 @@ STEERED = """drive: {ros__parameters: {type: mecanum_drive_controller/MecanumDri
   rear_right_wheel_command_joint_name: right_joint}}
 """
 FRONT_CONTROL = WHEEL_CONTROL.replace('"left_', '"front_left_').replace('"right_', '"front_right_')
+EYES = """<gazebo reference="body">
+<sensor name="{0}" type="camera"><camera/>
+<plugin filename="libgazebo_ros_camera.so" name="{1}"><ros/><frame_name>body</frame_name></plugin></sensor>
+</gazebo>
+"""
+OPTICAL = """<link name="eye"/>
+<joint name="eye_joint" type="fixed"><parent link="body"/><child link="eye"/><origin xyz="0.15 0 0.05"/></joint>
+<link name="eye_optical"/>
+<joint name="eye_optical_joint" type="fixed"><parent link="eye"/><child link="eye_optical"/>
+<origin rpy="-1.5708 0 -1.5708"/></joint>
+"""
+CUP = """<link name="cup"><inertial><mass value="0.05"/>
+<inertia ixx="0.00002" iyy="0.00002" izz="0.00002" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="cup_joint" type="fixed"><parent link="upper"/><child link="cup"/><origin xyz="0 0 0.41"/></joint>
+"""
+STATES_SENT = """<gazebo><plugin filename="gz-sim-joint-state-publisher-system"
+name="gz::sim::systems::JointStatePublisher"><topic>joint_states</topic></plugin></gazebo>
+"""
+FILTER = """ekf:
+  ros__parameters:
+    odom_frame: odom
+    base_link_frame: base_footprint
+    world_frame: odom
+"""
+SIMULATED = (
+    'share = get_package_share_directory("bot")\nmodel = os.path.join(share, "urdf", "bot.urdf")\n'
+    'Node(package="robot_state_publisher", executable="robot_state_publisher")\n'
+    'Node(package="ros_gz_sim", executable="create")\n'
+)
+CALVES = "".join(
+    f'<link name="{side}_calf">{MASS.replace("0.01", "0.002")}\n'
+    '<visual><geometry><mesh filename="package://bot/meshes/calf.stl"/></geometry></visual>\n'
+    f'<collision>{turn}<geometry><mesh filename="package://bot/meshes/calf.stl"/></geometry></collision></link>\n'
+    f'<joint name="{side}_knee" type="revolute"><parent link="upper"/><child link="{side}_calf"/>'
+    f'<origin xyz="0 {y} 0.4"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="9"/></joint>\n'
+    for side, y, turn in (("left", 0.15, ""), ("right", -0.15, "@@"))
+)
 PART = '<xacro:macro name="part" params="p"><link name="${p}_link"/></xacro:macro>'
 XACRO = ' xmlns:xacro="http://www.ros.org/wiki/xacro"'
 
@@ -2225,6 +2262,173 @@ PROBLEMS = {
         ".urdf.xacro",
         {"start.yaml": "initial:\n  lift: 0.5\n"},
     ),
+    # Of a later set of threads.
+    "the drive and a filter publish the odometry": Problem(
+        "GAZ036",
+        robot(
+            CART,
+            ROS_DRIVE.format(
+                "<publish_wheel_tf>true</publish_wheel_tf>\n<publish_odom_tf>@@</publish_odom_tf>"
+            ),
+        ),
+        "true",
+        "false",
+        files={
+            "ekf.yaml": FILTER,
+            "sim.launch.py": SIMULATED + 'Node(package="robot_localization", parameters=["ekf.yaml"])\n',
+        },
+    ),
+    "a camera is in its optical frame": Problem(
+        "GAZ038",
+        robot(
+            CART,
+            OPTICAL,
+            '<gazebo reference="@@">\n<sensor name="front" type="camera"><camera/></sensor>\n</gazebo>',
+        ),
+        "eye_optical",
+        "eye",
+    ),
+    "the plugins of two cameras have one name": Problem(
+        "GAZ041",
+        robot(CART, EYES.format("front", "camera_controller"), EYES.format("rear", "@@")),
+        "camera_controller",
+        "rear_camera_controller",
+    ),
+    "a map was made into a model that is called a world": Problem(
+        "SCH043",
+        '<?xml version="1.0"?>\n<sdf version="1.6">\n@@\n</sdf>\n',
+        f'<model name="map"><static>true</static><link name="l">{SDF_BODY}</link></model>',
+        f'<world name="w"><model name="map"><static>true</static><link name="l">{SDF_BODY}</link></model></world>',
+        -1,
+        ".world",
+    ),
+    "the states of joints have the controller of ROS 1": beside(
+        "R2C047",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "c.yaml",
+        "joint_state_controller/JointStateController",
+        "joint_state_broadcaster/JointStateBroadcaster",
+        {"c.yaml": "controller_manager: {ros__parameters: {update_rate: 100, states: {type: @@}}}\n"},
+    ),
+    "a second controller manager is started": beside(
+        "R2C048",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "gz_ros2_control/GazeboSimSystem",
+        'Node(package="controller_manager", executable="ros2_control_node", parameters=["c.yaml"])\n',
+        "",
+        {"c.yaml": TRAJECTORY.format("arm"), "sim.launch.py": f"{SIMULATED}@@"},
+    ),
+    "RViz has no transform for the wheels": Problem(
+        "RES031",
+        robot(CART, "@@", DRIVE),
+        "",
+        STATES_SENT,
+        1,
+        files={
+            "sim.launch.py": SIMULATED
+            + 'Node(package="ros_gz_bridge", arguments=["/joint_states@sensor_msgs/msg/JointState[gz.msgs.Model"])\n'
+        },
+    ),
+    "all wheels turn backwards": Problem(
+        "GEO010",
+        robot(CART.replace("0 1 0", "@@"), WHEEL_CONTROL, CONTROLLED),
+        "0 -1 0",
+        "0 1 0",
+        files={"c.yaml": WHEELED.format("wheel_separation: 0.3, wheel_radius: 0.07")},
+    ),
+    "the wheels in front are larger": Problem(
+        "GEO012",
+        robot(
+            WAGON.replace('radius="0.07"', 'radius="@@"', 4),
+            FOUR_WHEELS.format(
+                "diff",
+                "Diff",
+                "<left_joint>front_left_joint</left_joint><left_joint>left_joint</left_joint>"
+                "<right_joint>front_right_joint</right_joint><right_joint>right_joint</right_joint>"
+                "<wheel_separation>0.3</wheel_separation><wheel_radius>0.07</wheel_radius>",
+            ),
+        ),
+        "0.055",
+        "0.07",
+    ),
+    "the sensor of an autopilot is in a link that is merged": Problem(
+        "RES024",
+        robot(
+            f'<link name="base_link">{BODY}</link>\n<link name="imu_link"/>\n'
+            '<joint name="imu_joint" type="fixed"><parent link="base_link"/><child link="imu_link"/></joint>\n'
+            '<gazebo reference="imu_link"><sensor name="imu_sensor" type="imu"><topic>imu</topic></sensor></gazebo>\n'
+            '<gazebo><plugin name="ArduPilotPlugin" filename="ArduPilotPlugin">\n'
+            "<imuName>@@::imu_sensor</imuName></plugin></gazebo>"
+        ),
+        "imu_link",
+        "base_link",
+    ),
+    "the settings for MuJoCo are above the robot": Problem(
+        "XML009",
+        f'<?xml version="1.0"?>\n@@\n{ARM}</robot>\n',
+        '<mujoco><compiler discardvisual="false"/></mujoco>\n<robot name="bot">',
+        '<robot name="bot">\n<mujoco><compiler discardvisual="false"/></mujoco>',
+    ),
+    "a sensor whose topic is bridged has none": Problem(
+        "RES030",
+        robot(CART, INERTIAL_SENSOR.replace("<topic>imu</topic>", "@@"), DRIVE),
+        "",
+        "<topic>imu</topic>",
+        -1,
+        files={"bridge.yaml": f"- {{{BRIDGED.format('imu', 'imu', 'gz.msgs')}, direction: GZ_TO_ROS}}\n"},
+    ),
+    "a suction cup is merged into the arm": Problem(
+        "RES014",
+        robot(
+            ARM,
+            CUP,
+            "@@<gazebo>\n"
+            '<plugin name="suction" filename="libgazebo_ros_vacuum_gripper.so">\n'
+            "<link_name>cup</link_name></plugin></gazebo>",
+        ),
+        "",
+        '<gazebo reference="cup_joint"><preserveFixedJoint>true</preserveFixedJoint></gazebo>',
+        2,
+    ),
+    "a collision is turned, and the visual of the same mesh is not": Problem(
+        "GEO003",
+        robot(ARM, CALVES),
+        '<origin rpy="1.5708 0 0"/>',
+        "",
+        files={"meshes/calf.stl": cube(), "package.xml": PLANNED["package.xml"]},
+    ),
+    "the pose of a link in an old version depends on a joint": Problem(
+        "SCH019",
+        f'<?xml version="1.0"?>\n<sdf version="@@">\n<model name="m">\n<link name="hull">{SDF_BODY}</link>\n'
+        f'<link name="rotor">\n<pose relative_to="rotor_joint">0 0 0 0 0 0</pose>{SDF_MASS}</link>\n'
+        '<joint name="rotor_joint" type="revolute">\n<pose relative_to="hull">0.2 0 0.06 0 0 0</pose>\n'
+        "<parent>hull</parent><child>rotor</child><axis><xyz>0 0 1</xyz></axis></joint>\n</model>\n</sdf>\n",
+        "1.5",
+        "1.7",
+        4,
+        ".sdf",
+    ),
+    "an inertial has one angle": Problem(
+        "SCH013",
+        robot(ARM).replace(
+            '<inertial><origin xyz="0 0 0.2"/>', '<inertial>\n<origin rpy="@@" xyz="0 0 0.2"/>'
+        ),
+        "0.0",
+        "0 0 0",
+    ),
+    "friction of SDFormat is in a collision of URDF": Problem(
+        "URD001",
+        robot(
+            ARM,
+            FINGER.replace(
+                "</link>",
+                '<collision>\n<geometry><box size="0.02 0.02 0.05"/></geometry>\n@@</collision></link>',
+                1,
+            ),
+        ),
+        "<surface><friction><ode><mu1>1000</mu1></ode></friction></surface>",
+        "",
+    ),
 }
 
 
@@ -2242,3 +2446,11 @@ def test_problem(name: str, tmp_path: Path) -> None:
     problem = PROBLEMS[name]
     assert findings(problem.write(tmp_path, problem.right)) == []
     assert (problem.code, problem.line) in findings(problem.write(tmp_path, problem.wrong))
+
+
+@pytest.mark.parametrize("name", ["a sensor whose topic is bridged has none", "a controller has no type"])
+def test_problem_of_a_relative_path(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = PROBLEMS[name]
+    problem.write(tmp_path, problem.wrong)
+    monkeypatch.chdir(tmp_path)
+    assert (problem.code, problem.line) in findings(Path(f"bot{problem.suffix}"))
