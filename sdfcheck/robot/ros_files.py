@@ -652,7 +652,7 @@ def second_manager(document: Document) -> Span | None:
 
 _STATES = re.compile(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|ros2?_control", re.IGNORECASE)
 """Words of whatever may publish states, or transforms of wheels."""
-_BRIDGE = re.compile(r"^.*_topic_name.*$|[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
+_BRIDGE = re.compile(r"^.*_topic_name.*$|(?<![\w/])[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
 """Entries of a bridge, which carries the states of others."""
 _TRANSFORMER = "robot_state_publisher"
 
