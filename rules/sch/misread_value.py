@@ -6,7 +6,6 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Element,
     Good,
     Inertial,
     Reaction,
@@ -92,7 +91,7 @@ class MisreadValue(Rule):
             yield self.diagnostic(problem.rest, message, affects=affects)
             return
         reading, part = problem.reading, problem.span.text
-        affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else spoiled(problem.value.element)
+        affects = dict.fromkeys(Consumer, REFUSES) if reading.refused else spoiled(problem)
         cause = reading.cause.name if reading.cause else ""
         if cause == "EXTRA":
             is_repeated = all(is_same(word, reading.read_as) for word in part.split())
@@ -116,13 +115,18 @@ class MisreadValue(Rule):
         )
 
 
-def spoiled(moment: Element) -> dict[Consumer, Reaction]:
-    """The reaction of libsdformat to moments of SDFormat that are impossible as it reads them."""
-    inertia = moment.parent
-    if inertia is None or inertia.name != "inertia":
+def spoiled(problem: problems.MisreadValue) -> dict[Consumer, Reaction]:
+    """The reaction of libsdformat to a mass or moments of SDFormat that are impossible as it reads them."""
+    element = problem.value.element
+    around = element.parent
+    if around is None or around.name not in {"inertial", "inertia"}:
         return {}
-    found = (each for each in moment.document.view(Root).each(Inertial) if each.inertia is inertia)
-    is_refused = any(each.tensor.is_indefinite or each.tensor.is_impossible for each in found)
+    found = (
+        each for each in element.document.view(Root).each(Inertial) if around in (each.element, each.inertia)
+    )
+    is_refused = any(
+        each.mass < 0 or each.tensor.is_indefinite or each.tensor.is_impossible for each in found
+    )
     return {Consumer.GAZEBO: REFUSES} if is_refused else {}
 
 

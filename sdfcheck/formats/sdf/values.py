@@ -377,9 +377,10 @@ def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Readin
         # `5.0` is cut to 5, which is what is meant, and so is `5.0000000000000003`, which was computed.
         if whole is None or whole.end < word_end or not math.isclose(whole.value, value, rel_tol=1e-9):
             return misread(0, word_end, rest_cause(text[end], whole=True), str(value))
-    if text[word_end:].strip(BLANKS):
+    outside = in_range(value, bounds, 0, word_end)
+    if text[word_end:].strip(BLANKS) and not outside.refused:
         return misread(_next_word(text, word_end), len(text), Cause.EXTRA, str(value))
-    return in_range(value, bounds, 0, word_end)
+    return outside
 
 
 def _truth_value(text: str) -> Reading:
