@@ -137,5 +137,6 @@ def unseen_links(document: Document) -> frozenset[str | None]:
 
 def _is_moment(problem: problems.ValueOutOfRange) -> bool:
     """Is it a moment of inertia of SDFormat, or added mass? libsdformat refuses those that are not finite."""
-    around = problem.value.element.parent
-    return around is not None and around.name in {"inertia", "fluid_added_mass"}
+    element = problem.value.element
+    is_sdf, around = element.document.kind.value == "sdf", element.parent
+    return is_sdf and around is not None and around.name in {"inertia", "fluid_added_mass"}
