@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from sdfcheck.convert.writer import numbers
+from sdfcheck.formats.sdf.values import floats
 from sdfcheck.formats.vendor import known_tables
 from sdfcheck.formats.vendor.definitions import Place, Slot, Tag, Vendor, value_at
 from sdfcheck.formats.vendor.table import vendor
@@ -226,8 +227,11 @@ def spellings(document: Document, target: Kind, around: Surroundings) -> dict[st
 
 
 def moved(text: str, pose: Array, *, is_point: bool) -> str:
-    """A point or direction, given in an inner frame that has a 4×4 pose in the outer one, in the outer."""
-    vector = np.array([float(word) for word in text.split()])
-    if vector.shape != (3,) or np.array_equal(pose, np.eye(4)):
+    """A point or direction, given in an inner frame that has a 4×4 pose in the outer one, in the outer.
+
+    A text that is no such thing stays as it is.
+    """
+    vector = floats(text)
+    if vector is None or len(vector) != 3 or np.array_equal(pose, np.eye(4)):
         return text
-    return numbers(pose[:3, :3] @ vector + (pose[:3, 3] if is_point else 0.0))
+    return numbers(pose[:3, :3] @ np.array(vector) + (pose[:3, 3] if is_point else 0.0))

@@ -171,6 +171,11 @@ def test_a_block_without_friction_leaves_drake_its_own() -> None:
     assert "drake:mu" not in to_sdf(urdf(block, a=collision('<box size="1 1 1"/>'))).text
 
 
+def test_a_direction_that_drake_cannot_read_stays_as_it_is() -> None:
+    done = to_sdf(urdf(a='<drake:surface_velocity_axis axis="up"/>'))
+    assert "<drake:surface_velocity_axis>up</drake:surface_velocity_axis>" in done.text
+
+
 def test_a_joint_that_follows_another_does_so_for_drake() -> None:
     follower = TURNING.format("").replace('"j"', '"k"').replace('child link="b"', 'child link="c"')
     follower = follower.replace("</joint>", '<mimic joint="j" multiplier="2"/></joint>')
