@@ -318,6 +318,10 @@ class Extensions:
         if setting is not None and setting.about in {"link", "joint"}:
             text = f"<{entry.name}> outside a block for a {setting.about} has no effect; it is left out"
             self.context.lose(entry, LossKind.EXTENSION_NOT_CARRIED, text)
+        elif setting is not None and setting.type == "flag":
+            self.context.ledger.take(entry, TEXT, "value")
+            if (value := self.context.translated(entry, setting)) is not None:
+                model.reach(entry.name).write(value)
         elif entry.is_custom or self.context.allows(entry.name):
             self._native(entry, model)
         else:

@@ -11,7 +11,7 @@ from sdfcheck.convert.urdf_to_sdf.options import FixedJoints, Options
 from sdfcheck.formats.sdf.schema import schema
 from sdfcheck.formats.urdf.schema import all_settings, extension, settings
 from sdfcheck.formats.version import NEWEST
-from sdfcheck.source.document import read
+from sdfcheck.source.document import Document, read
 from sdfcheck.source.sniff import Kind
 
 _ROBOT = """\
@@ -54,7 +54,11 @@ def test_settings_of_links_and_joints_have_a_place() -> None:
 
 
 def converted(setting: str) -> str:
-    return urdf_to_sdf(read(_ROBOT.format(setting).encode(), Path("r.urdf"), Kind.URDF), Options()).text
+    return urdf_to_sdf(as_urdf(_ROBOT.format(setting)), Options()).text
+
+
+def as_urdf(text: str) -> Document:
+    return read(text.encode(), Path("r.urdf"), Kind.URDF)
 
 
 @pytest.mark.parametrize("setting", ["<mu>0.01</mu>", "<max_contacts>3</max_contacts>"])
@@ -77,6 +81,12 @@ def test_words_that_libsdformat_does_not_translate_change_no_collision(setting: 
 )
 def test_settings_are_written_where_libsdformat_writes_them(setting: str, written: str) -> None:
     assert written in converted(setting)
+
+
+@pytest.mark.parametrize(("given", "taken"), [("yes", "true"), ("sure", "false")])
+def test_a_robot_stands_still_as_libsdformat_reads_it(given: str, taken: str) -> None:
+    text = _ROBOT.replace("</robot>", f"<gazebo><static>{given}</static></gazebo></robot>").format("")
+    assert f"<static>{taken}</static>" in urdf_to_sdf(as_urdf(text), Options()).text
 
 
 @pytest.mark.parametrize(("second", "count"), [("false", 1), ("true", 0)])
