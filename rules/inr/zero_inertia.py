@@ -9,7 +9,6 @@ from sdfcheck import (
     Good,
     Inertial,
     Joint,
-    Link,
     Rule,
     Severity,
     accepts,
@@ -73,11 +72,6 @@ class ZeroInertia(Rule):
     good = (
         Good("<inertial><mass>1</mass></inertial>", why="the moments are 1 where they are not written"),
         Good(ROBOT.format("inertia", CHILD), scaffold="", why="a point mass on a joint"),
-        Good(
-            MOVED.format(BODY.replace("«inertia»", "inertia").replace('value="1"', 'value="1e-6"')),
-            scaffold="",
-            why="the mass counts as none, which URD014 reports",
-        ),
         Good(ROBOT.format("inertia", PART), scaffold="", why="its parent is elsewhere", file="part.xacro"),
     )
 
@@ -95,7 +89,7 @@ class ZeroInertia(Rule):
         link = inertial.link
         holding = link.parent_joints or joints_to_world(link)
         if holding:
-            return bool(link.shapes) and holding[0].moves and not counts_as_massless(link)
+            return bool(link.shapes) and holding[0].moves
         # In a part or a macro the other end of a joint is where nobody can see it.
         return not link.child_joints and not any(
             joint.child_link is link or link.name in {joint.parent_name, joint.child_name}
@@ -112,8 +106,3 @@ class ZeroInertia(Rule):
         if not link.parent_joints:
             affects = {Consumer.MUJOCO: accepts("makes it part of the world")}
         yield self.diagnostic(inertial.moments_element, message, labels={link: "this link"}, affects=affects)
-
-
-def counts_as_massless(link: Link) -> bool:
-    """Is its mass so small that libsdformat drops it? `massless-moving-link` says so, and asks for the moments."""
-    return link.is_urdf and link not in link.model.as_built_by(Consumer.GAZEBO).with_mass

@@ -13,6 +13,7 @@ from sdfcheck import (
     Severity,
     accepts,
     refuses,
+    warns,
 )
 from sdfcheck_rules.urd.without_mass import in_drake
 
@@ -30,10 +31,11 @@ class MasslessMovingLink(Rule):
 
     libsdformat drops the link and all that hangs on it; in Drake its joint makes the mass
     matrix singular, and the simulation fails. A link counts as massless when it and all links that
-    fixed joints tie to it from below have no more than 1e-6 kg together. The same holds below a fixed
+    fixed joints tie to it from below have no mass. The same holds below a fixed
     joint that libsdformat has to keep. Where something is fixed to such a link or to one below it, a
     frame is left that hangs on nothing, and libsdformat 17 refuses the file; so it does where another joint
-    mimics the one that is dropped.
+    mimics the one that is dropped. Releases before 9.10.1, 12.7.2, 13.5 and 14.1 dropped a link of up to 1e-6 kg as
+    well, which is worth knowing.
     """
 
     code = "URD014"
@@ -69,7 +71,7 @@ class MasslessMovingLink(Rule):
         Bad('<link name="b"><inertial><mass value="«0»"/>' + INERTIA + "</inertial></link>"),
         Bad(
             '<link name="b"><inertial><mass value="«1e-7»"/>' + INERTIA + "</inertial></link>",
-            says="has a mass of 1e-7 kg, which counts as none, so libsdformat drops it",
+            says="has a mass of 1e-7 kg, for which libsdformat before 12.7.2 drops it",
         ),
     )
     good = (
@@ -83,35 +85,41 @@ class MasslessMovingLink(Rule):
 
     @staticmethod
     def applies(robot: Model) -> bool:
-        return bool(dropped(robot))
+        return bool(dropped(robot) or faint(robot))
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
-        links = dropped(robot)
+        built, links = robot.as_built_by(Consumer.GAZEBO), dropped(robot)
         gone = set(robot.tree.below(*links))
         followers = {
             mimic.leader: mimic.joint
             for mimic in robot.root.each(Mimic)
             if mimic.joint.child_link is not None and mimic.joint.child_link not in gone
         }
-        built = robot.as_built_by(Consumer.GAZEBO)
         for link in links:
-            if any(map(built.is_unread, built.members(link))):
+            if any(map(built.is_miswritten, built.members(link))):
                 continue
             joint = link.parent_joints[0]
             below = sum(1 for _ in link.below()) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
             what = "is not to be merged" if joint.is_fixed else "moves"
-            mass = link.inertial.mass
-            is_tiny = mass.number != 0 and mass.is_given
-            amount = f"a mass of {mass.text.strip()} kg, which counts as none," if is_tiny else "no mass,"
-            message = f"{link.title} {what} and has {amount} so libsdformat drops it{others}"
+            message = f"{link.title} {what} and has no mass, so libsdformat drops it{others}"
             labels = {joint: "is kept" if joint.is_fixed else "moves it"}
             follower = followers.get(joint)
             if follower is not None:
                 message += f", and refuses {follower.title}, which follows {joint.title}"
                 labels[follower] = "follows it"
-            affects = _affects(link, is_followed=follower is not None)
+            affects, mass = _affects(link, is_followed=follower is not None), link.inertial.mass
             yield self.diagnostic(mass if mass.is_given else link, message, labels=labels, affects=affects)
+        for link in faint(robot):
+            mass = link.inertial.mass
+            message = (
+                f"{link.title} has a mass of {mass.text} kg, for which libsdformat before 12.7.2 drops it"
+            )
+            affects = {
+                Consumer.GAZEBO: warns("takes it; before 12.7.2 drops the link and those below it"),
+                Consumer.DRAKE: accepts("takes it as it is"),
+            }
+            yield self.diagnostic(mass, message, severity=Severity.INFO, affects=affects)
 
 
 def _affects(link: Link, *, is_followed: bool) -> dict[Consumer, Reaction]:
@@ -136,6 +144,13 @@ def dropped(robot: Model) -> list[Link]:
         if any(link.has_mass for link in members):
             found += [link for link in members[1:] if link not in built.with_mass and is_apart(link)]
     return found
+
+
+def faint(robot: Model) -> list[Link]:
+    """Links that stay links of their own, with a mass of their own that older releases of libsdformat take for none."""
+    built = robot.as_built_by(Consumer.GAZEBO)
+    found = (link for link in built.barely_with_mass if link.inertial.mass.is_given)
+    return [link for link in found if link.parent_joints and is_apart(link) and not built.is_dropped(link)]
 
 
 def is_apart(link: Link) -> bool:

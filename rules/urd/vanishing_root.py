@@ -81,7 +81,7 @@ class VanishingRoot(Rule):
             yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
         built = robot.as_built_by(Consumer.GAZEBO)
         for top in built.tops:
-            if top in built.with_mass or any(map(built.is_unread, built.members(top))):
+            if top in built.with_mass or any(map(built.is_miswritten, built.members(top))):
                 continue
             if built.is_left_out(top) and built.links:
                 yield self.left_out(top, built.orphaned.get(top))

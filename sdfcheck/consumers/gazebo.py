@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 WORLD = "world"
 LEAST = 1e-6
-"""kg: a mass that is not above it counts as none."""
+"""kg: a mass that is not above it counts as none in releases before 9.10.1, 12.7.2, 13.5 and 14.1."""
 _LUMP = "_fixed_joint_lump__"
 _REWRITTEN = ("bodyName", "frameName")
 """Parameters of plugins in which the name of a merged link becomes that of the link that is left."""
@@ -119,7 +119,12 @@ class GazeboRobot:
     @lazy
     def with_mass(self) -> set[Link]:
         """The links that have mass, their own or that of links that are merged into them."""
-        return {link for link, mass in self.masses.items() if abs(mass) > LEAST}
+        return {link for link, mass in self.masses.items() if mass > 0}
+
+    @lazy
+    def barely_with_mass(self) -> set[Link]:
+        """Those of them whose mass counts as none in older releases (:data:`LEAST`)."""
+        return {link for link in self.with_mass if self.masses[link] <= LEAST}
 
     @lazy
     def without_center(self) -> dict[Link, Link]:
@@ -185,9 +190,9 @@ class GazeboRobot:
             first.setdefault(joint.parent, joint)
         return {top: first[top.name] for top in self.tops if self.is_left_out(top) and top.name in first}
 
-    def is_unread(self, link: Link) -> bool:
-        """Has the link no mass because urdfdom fails before it has read the mass that is there?"""
-        return link.has_mass and _is_cut(link.inertial.element)
+    def is_miswritten(self, link: Link) -> bool:
+        """Has the link no mass because urdfdom fails before it has read the one that is there, or it is negative?"""
+        return link.has_mass and (link.inertial.mass.number < 0 or _is_cut(link.inertial.element))
 
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""

@@ -229,7 +229,7 @@ def spellings(document: Document, target: Kind, around: Surroundings) -> dict[st
 def moved(text: str, pose: Array, *, is_point: bool) -> str:
     """A point or direction, given in an inner frame that has a 4×4 pose in the outer one, in the outer.
 
-    A text that is no such thing stays as it is.
+    Another text stays as it is.
     """
     vector = floats(text)
     if vector is None or len(vector) != 3 or np.array_equal(pose, np.eye(4)):
