@@ -75,12 +75,7 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
         return {Consumer.GAZEBO: accepts("makes no link of it")}
     base = built.base(link)
     moments = built.moments(base)
-    if (
-        built.masses[base] < 0
-        or not math.isfinite(moments.trace)
-        or moments.is_indefinite
-        or moments.is_impossible
-    ):
+    if not math.isfinite(moments.trace) or moments.is_indefinite or moments.is_impossible:
         return {}
     return {Consumer.GAZEBO: accepts("takes the sum of the links that it merges")}
 

@@ -104,12 +104,23 @@ class NonPositiveMass(Rule):
             return
         if not _moves(link):
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)
-        elif inertial.is_urdf:
-            affects.setdefault(Consumer.GAZEBO, drops("the link, and before version 17 refuses the file"))
+        if inertial.is_urdf:
+            affects |= _in_gazebo(link)
         what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
             mass, f"mass {mass.text} is {what}", labels={link: "the mass of this link"}, affects=affects
         )
+
+
+def _in_gazebo(link: Link) -> dict[Consumer, Reaction]:
+    """What libsdformat does with a link of URDF whose mass is below 0, if what is fixed to it does not outweigh that."""
+    built = link.model.as_built_by(Consumer.GAZEBO)
+    base = built.base(link)
+    if base in built.with_mass:
+        return {}
+    if not built.links or base in built.orphaned:
+        return {Consumer.GAZEBO: REFUSES}
+    return {Consumer.GAZEBO: drops("the link, and before version 17 refuses the file")}
 
 
 def _in_mujoco(inertial: Inertial) -> Reaction:

@@ -55,6 +55,9 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
         (LEGS, 'mass value="1"', 'mass value="heavy"', "drake isaac mujoco"),
         (LEGS, INERTIAL, "", "mujoco"),
         (ALONE, '"0"', '"inf"', "drake"),
+        (ALONE, 'mass value="1"', 'mass value="-1"', "gazebo"),
+        (LEGS, 'mass value="1"', 'mass value="-1"', "mujoco"),
+        (LEGS, 'mass value="1"', 'mass value="1e-9"', ""),
         (
             ROBOT,
             "</robot>",
