@@ -113,7 +113,7 @@ class NonPositiveMass(Rule):
 
 
 def _in_gazebo(link: Link) -> dict[Consumer, Reaction]:
-    """What libsdformat does with a link of URDF whose mass is below 0, if what is fixed to it does not outweigh that."""
+    """The reaction of libsdformat to a link of URDF with a mass below 0, unless what is fixed to it outweighs that."""
     built = link.model.as_built_by(Consumer.GAZEBO)
     base = built.base(link)
     if base in built.with_mass:

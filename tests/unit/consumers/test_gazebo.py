@@ -130,9 +130,10 @@ def test_moments_that_cannot_be_summed() -> None:
     [
         (links("a", MASS) + links("b") + links("c", MASS) + joint("j", "b", "c") + AT, []),
         (links("a", MASS) + links("b") + joint("j", "a", "b", "continuous"), ["b"]),
+        (links("a", MASS) + links("b", BODY.format("1e-7", 1)) + joint("j", "a", "b", "continuous"), []),
         (
             links("a", MASS)
-            + links("b", BODY.format("1e-7", 1))
+            + links("b", BODY.format("-1", 1))
             + links("c", MASS)
             + joint("j", "a", "b", "continuous")
             + joint("k", "b", "c", "continuous"),
