@@ -119,7 +119,7 @@ def _in_gazebo(link: Link) -> dict[Consumer, Reaction]:
     if base in built.with_mass:
         return {}
     if not built.links or base in built.orphaned:
-        return {Consumer.GAZEBO: REFUSES}
+        return {Consumer.GAZEBO: refuses("refuses a negative mass")}
     return {Consumer.GAZEBO: drops("the link, and before version 17 refuses the file")}
 
 

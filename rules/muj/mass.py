@@ -3,7 +3,7 @@
 from sdfcheck import Link
 
 LEAST = 1e-15
-"""The bounds that the mass and the moments of a body that moves must exceed."""
+"""The least mass and moments of a body that moves."""
 
 
 def is_massless(link: Link) -> bool:
@@ -34,4 +34,4 @@ def _has_mass(link: Link) -> bool:
     if not inertial.has("mass") or not inertial.has("inertia"):
         return True
     numbers = [inertial.mass, *(inertial.moments[moment] for moment in ("ixx", "iyy", "izz"))]
-    return not any(number.is_given and number.number <= LEAST for number in numbers)
+    return not any(number.is_given and number.number < LEAST for number in numbers)

@@ -240,7 +240,8 @@ HELD = '<joint name="j" type="{}"><parent link="a"/><child link="b"/></joint>'
         ((1, 1, 1, 1), (0, 1, 1, 9), "fixed", "reject"),
         ((3, 9, 9, 9), (-1, 1, 1, 1), "fixed", "accept"),
         ((1, 9, 9, 9), (-3, 1, 1, 1), "fixed", "reject"),
-        ((1, 9, 9, 9), ("1e-7", 1, 1, 9), "continuous", "warn"),
+        ((1, 9, 9, 9), ("1e-7", 1, 1, 9), "continuous", "reject"),
+        ((1, 9, 9, 9), (-3, 1, 1, 1), "continuous", "warn"),
     ],
 )
 def test_gazebo_judges_links_once_merged(
