@@ -37,7 +37,7 @@ TYPES = {
 _NOISE = "model/link/sensor/air_pressure/pressure/noise/@type"
 KNOWN = frozenset(
     (
-        "actor/script/trajectory/waypoint/pose = ''",
+        "world/actor/script/trajectory/waypoint/pose = ''",
         "model/link/inertial/inertia/ixx = 'inf'",
         *(f"{_NOISE} = {value!r}" for value in VALUES[1:]),
     )
