@@ -149,7 +149,7 @@ def dropped(robot: Model) -> list[Link]:
 def faint(robot: Model) -> list[Link]:
     """Links that stay links of their own, with a mass of their own that older releases of libsdformat take for none."""
     built = robot.as_built_by(Consumer.GAZEBO)
-    found = (link for link in built.barely_with_mass if link.inertial.mass.is_given)
+    found = (link for link in robot.links if link in built.barely_with_mass and link.inertial.mass.is_given)
     return [link for link in found if link.parent_joints and is_apart(link) and not built.is_dropped(link)]
 
 
