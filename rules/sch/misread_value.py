@@ -6,6 +6,8 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Document,
+    Element,
     Good,
     Inertial,
     Reaction,
@@ -115,17 +117,25 @@ class MisreadValue(Rule):
         )
 
 
+def bodies(document: Document) -> dict[Element, Inertial]:
+    """Element with a mass or with moments → the body that it is about."""
+    found = {}
+    for each in document.view(Root).each(Inertial):
+        found[each.element] = each
+        if each.inertia is not None:
+            found[each.inertia] = each
+    return found
+
+
 def spoiled(problem: problems.MisreadValue) -> dict[Consumer, Reaction]:
     """The reaction of libsdformat to a mass or moments of SDFormat that are impossible as it reads them."""
     element = problem.value.element
     around = element.parent
     if around is None or around.name not in {"inertial", "inertia"}:
         return {}
-    found = (
-        each for each in element.document.view(Root).each(Inertial) if around in (each.element, each.inertia)
-    )
-    is_refused = any(
-        each.mass < 0 or each.tensor.is_indefinite or each.tensor.is_impossible for each in found
+    body = element.document.view(bodies).get(around)
+    is_refused = body is not None and (
+        body.mass < 0 or body.tensor.is_indefinite or body.tensor.is_impossible
     )
     return {Consumer.GAZEBO: REFUSES} if is_refused else {}
 

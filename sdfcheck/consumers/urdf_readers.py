@@ -172,13 +172,9 @@ def _needs_mass(element: Element) -> str:
         built = model.as_built_by(Consumer.GAZEBO)
         link = model.tree.links.get(name or "")
         if link is not None and built.base(link) not in built.with_mass:
-            return (
-                "a joint loses its parent"
-                if link in built.orphaned
-                else ""
-                if built.links
-                else "nothing is left"
-            )
+            if link in built.orphaned:
+                return "a joint loses its parent"
+            return "" if built.links else "nothing is left"
     return ""
 
 

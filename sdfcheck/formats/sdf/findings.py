@@ -389,6 +389,7 @@ class SdfFindings(Findings):
             if self.replacement(parent, place, name) is None
         }
         taken: dict[tuple[Element, str | None], bool] = {}
+        empty: dict[tuple[Element, str | None], bool] = {}
         for problem, place in self.unknown:
             parent, name = key = problem.parent, problem.suggestion
             if key not in taken:
@@ -398,7 +399,9 @@ class SdfFindings(Findings):
                 continue
             self.misspelled.add((parent, name))
             absent = lacking.get((parent, name))
-            refused = problem.refused or (absent is not None and absent.refused) or _is_empty(parent, name)
+            if key not in empty:
+                empty[key] = _is_empty(parent, name)
+            refused = problem.refused or empty[key] or (absent is not None and absent.refused)
             vital = f"{parent.name}/{name}" in _VITAL
             self.found.append(problem.changed(refused=refused, vital=vital))
 

@@ -28,15 +28,21 @@ _OTHER_WORDS = {"min": "lower", "max": "upper"}
 _OTHER_MEASURES = frozenset({"diameter"})
 
 
+def _named_parts(document: Document) -> dict[str, list[Element]]:
+    """Name → the links and joints of that name."""
+    found: dict[str, list[Element]] = {}
+    for part in document.root.children() if document.root is not None else ():
+        if part.name in {"link", "joint"}:
+            found.setdefault(part.text_of("name", ""), []).append(part)
+    return found
+
+
 def _is_dropped(setting: Definition, block: Element) -> bool:
     """Is a setting of libsdformat in a block about something that does not have it?"""
     name, about = block.text_of("reference"), setting.row.extra("at")
-    root = block.document.root
-    if not name or about == "robot" or root is None:
+    if not name or about == "robot":
         return bool(name) is (about == "robot")
-    parts = [
-        part for part in root.children() if part.name in {"link", "joint"} and part.text_of("name") == name
-    ]
+    parts = block.document.view(_named_parts).get(name, ())
     needs_shape = setting.row.extra("sdf").startswith("collision/")
     return bool(parts) and not any(
         part.name == about and (part.has("collision") or not needs_shape) for part in parts
