@@ -77,7 +77,7 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
     moments = built.moments(base)
     if not math.isfinite(moments.trace) or moments.is_indefinite or moments.is_impossible:
         return {}
-    return {Consumer.GAZEBO: accepts("takes the sum of the links that it merges")}
+    return {Consumer.GAZEBO: accepts("takes the moments of the link that it builds")}
 
 
 def is_doubtful(inertial: Inertial) -> bool:

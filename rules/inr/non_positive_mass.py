@@ -118,8 +118,8 @@ def _in_gazebo(link: Link) -> dict[Consumer, Reaction]:
     base = built.base(link)
     if base in built.with_mass:
         return {}
-    if not built.links or base in built.orphaned:
-        return {Consumer.GAZEBO: refuses("refuses a negative mass")}
+    if reason := built.refused_without(base):
+        return {Consumer.GAZEBO: refuses(f"refuses the file, for {reason}")}
     return {Consumer.GAZEBO: drops("the link, and before version 17 refuses the file")}
 
 

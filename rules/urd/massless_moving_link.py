@@ -6,7 +6,6 @@ from sdfcheck import (
     Diagnostic,
     Good,
     Link,
-    Mimic,
     Model,
     Reaction,
     Rule,
@@ -68,6 +67,12 @@ class MasslessMovingLink(Rule):
             '<joint name="k" type="continuous"><parent link="b"/><child link="c"/><mimic joint="j"/></joint>',
             says="so libsdformat drops it and the 1 link below it",
         ),
+        Bad(
+            f'<«link» name="b"/><link name="c">{MASS}</link><link name="d">{MASS}</link>'
+            '<joint name="k" type="continuous"><parent link="b"/><child link="c"/></joint>'
+            '<joint name="m" type="continuous"><parent link="a"/><child link="d"/><mimic joint="k"/></joint>',
+            says="drops it and the 1 link below it, and refuses joint `m`, which follows joint `k`",
+        ),
         Bad('<link name="b"><inertial><mass value="«0»"/>' + INERTIA + "</inertial></link>"),
         Bad(
             '<link name="b"><inertial><mass value="«1e-7»"/>' + INERTIA + "</inertial></link>",
@@ -89,26 +94,22 @@ class MasslessMovingLink(Rule):
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         built, links = robot.as_built_by(Consumer.GAZEBO), dropped(robot)
-        gone = set(robot.tree.below(*links))
-        followers = {
-            mimic.leader: mimic.joint
-            for mimic in robot.root.each(Mimic)
-            if mimic.joint.child_link is not None and mimic.joint.child_link not in gone
-        }
         for link in links:
             if any(map(built.is_miswritten, built.members(link))):
                 continue
             joint = link.parent_joints[0]
-            below = sum(1 for _ in link.below()) - 1
+            members = list(link.below())
+            below = len(members) - 1
             others = f" and the {below} link{'s' * (below > 1)} below it" if below else ""
             what = "is not to be merged" if joint.is_fixed else "moves"
             message = f"{link.title} {what} and has no mass, so libsdformat drops it{others}"
             labels = {joint: "is kept" if joint.is_fixed else "moves it"}
-            follower = followers.get(joint)
-            if follower is not None:
-                message += f", and refuses {follower.title}, which follows {joint.title}"
+            leader = next((each for each in members if each in built.followed), None)
+            if leader is not None:
+                follower = built.followed[leader]
+                message += f", and refuses {follower.title}, which follows {leader.parent_joints[0].title}"
                 labels[follower] = "follows it"
-            affects, mass = _affects(link, is_followed=follower is not None), link.inertial.mass
+            affects, mass = _affects(link, built.refused_without(link)), link.inertial.mass
             yield self.diagnostic(mass if mass.is_given else link, message, labels=labels, affects=affects)
         for link in faint(robot):
             mass = link.inertial.mass
@@ -122,14 +123,10 @@ class MasslessMovingLink(Rule):
             yield self.diagnostic(mass, message, severity=Severity.INFO, affects=affects)
 
 
-def _affects(link: Link, *, is_followed: bool) -> dict[Consumer, Reaction]:
+def _affects(link: Link, refusal: str) -> dict[Consumer, Reaction]:
     found = in_drake(link)
-    if is_followed:
-        found[Consumer.GAZEBO] = refuses("refuses the file: the leader of a mimic is not there")
-    elif any(joint.is_lumped for each in link.below() for joint in each.child_joints):
-        found[Consumer.GAZEBO] = refuses(
-            "refuses the file; before version 17 drops the link and those below it"
-        )
+    if refusal:
+        found[Consumer.GAZEBO] = refuses(f"refuses the file, for {refusal}")
     if link.has_mass:
         found[Consumer.DRAKE] = accepts("takes it as it is")
     return found

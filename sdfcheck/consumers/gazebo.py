@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from itertools import takewhile
 from operator import itemgetter
@@ -189,6 +189,29 @@ class GazeboRobot:
         for joint in self.joints.values():
             first.setdefault(joint.parent, joint)
         return {top: first[top.name] for top in self.tops if self.is_left_out(top) and top.name in first}
+
+    @lazy
+    def followed(self) -> Mapping[Link, Joint]:
+        """Link that is dropped with its joint → a joint of the result that mimics that joint."""
+        found: dict[Link, Joint] = {}
+        for joint in self.joints.values():
+            mimic = joint.origin.axis.mimic
+            link = mimic.leader.child_link if mimic is not None and mimic.leader is not None else None
+            if link is not None and self.is_dropped(link):
+                found.setdefault(link, joint.origin)
+        return found
+
+    def refused_without(self, link: Link) -> str:
+        """Why libsdformat refuses the robot of which a link without mass is dropped; empty if it does not."""
+        if link in self.orphaned:
+            return "a joint loses its parent"
+        if not self.links:
+            return "nothing is left"
+        below = list(link.below())
+        if any(each in self.followed for each in below):
+            return "the leader of a mimic is not there"
+        is_carrying = any(joint.is_lumped for each in below for joint in each.child_joints)
+        return "a frame loses its link, which version 17 is the first to make" if is_carrying else ""
 
     def is_miswritten(self, link: Link) -> bool:
         """Has the link no mass because urdfdom fails before it has read the one that is there, or it is negative?"""
@@ -434,11 +457,11 @@ def _sum(links: Iterable[Link]) -> Moments:
         else:
             places[link] = places[joint.parent_link].followed_by(origin_in(joint.element))
         inertial = link.inertial
-        if inertial.is_given:
+        if inertial.is_given and not _is_cut(inertial.element):
             mass, inertia = inertial.find("mass"), inertial.inertia
             place = places[link].followed_by(origin_in(inertial.element))
             moments = Moments(0.0, 0.0, 0.0)
-            if inertia is not None:
+            if inertia is not None and not _fails(inertia):
                 moments = Moments(**{name: urdf_number(inertia, name, 0.0) for name in MOMENTS})
             weight = 0.0 if mass is None else urdf_number(mass, "value", 0.0)
             bodies.append((weight, place.position, place.turned_moments(moments)))

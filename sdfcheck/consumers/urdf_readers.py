@@ -152,7 +152,7 @@ def _not_finite(value: Value, words: Sequence[str], numbers: Sequence[float]) ->
 def _is_taken_by_mujoco(value: Value, numbers: Sequence[float]) -> bool:
     """Does MuJoCo 4 take what is not finite: not as moments, and not as a negative mass or size?"""
     element, place = value.element, _place(value.element)
-    if "inertial" in place and _is_root(element):
+    if "inertial" in place and _stands(element):
         return True
     if any(map(isnan, numbers)):
         return "geometry" not in place and ("inertial" not in place or element.name == "mass")
@@ -172,22 +172,32 @@ def _needs_mass(element: Element) -> str:
         built = model.as_built_by(Consumer.GAZEBO)
         link = model.tree.links.get(name or "")
         if link is not None and built.base(link) not in built.with_mass:
-            if link in built.orphaned:
-                return "a joint loses its parent"
-            return "" if built.links else "nothing is left"
+            return built.refused_without(built.base(link))
     return ""
 
 
-def _is_root(element: Element) -> bool:
-    """Is an element in the root link, which MuJoCo makes a part of the world?"""
+def _stands(element: Element) -> bool:
+    """Is an element in a link that no joint moves, which MuJoCo makes a part of the world?"""
     link = next((each for each in element.around if each.name == "link"), None)
-    return link is not None and link.text_of("name") not in element.document.view(_children)
+    return link is not None and link.text_of("name") not in element.document.view(_moved)
 
 
-def _children(document: Document) -> frozenset[str | None]:
-    joints = document.root.children("joint") if document.root is not None else ()
-    ends = (joint.find("child") for joint in joints)
-    return frozenset(end.text_of("link") for end in ends if end is not None)
+def _moved(document: Document) -> frozenset[str | None]:
+    """The names of links that are moved, and of those that are fixed to them."""
+    carried: dict[str | None, list[str | None]] = {}
+    waiting: list[str | None] = []
+    for joint in document.root.children("joint") if document.root is not None else ():
+        parent, child = (
+            None if end is None else end.text_of("link") for end in map(joint.find, ("parent", "child"))
+        )
+        (carried.setdefault(parent, []) if joint.text_of("type") == "fixed" else waiting).append(child)
+    moved: set[str | None] = set()
+    while waiting:
+        link = waiting.pop()
+        if link not in moved:
+            moved.add(link)
+            waiting += carried.get(link, ())
+    return frozenset(moved)
 
 
 def lacking(element: Element, name: str) -> Mapping[Consumer, Reaction]:
@@ -214,7 +224,7 @@ def _lacking_text(value: Value) -> Mapping[Consumer, Reaction]:
     element, found = value.element, dict(unreadable(value))
     if value.attribute in _NAMING:
         if element.name in {"joint", "parent", "child", "mesh"}:
-            found[Consumer.DRAKE] = _WITHOUT_IT
+            found[Consumer.DRAKE] = REFUSES if _is_followed(element) else _WITHOUT_IT
         found |= {Consumer.PYBULLET: REFUSES, **_lacking_in(element, value.attribute)}
         is_needed = value.attribute in _NEEDED_BY_ISAAC.get(element.name, ())
         if element.name == "mesh":
@@ -228,6 +238,18 @@ def _lacking_text(value: Value) -> Mapping[Consumer, Reaction]:
         if element.name in {"origin", "limit", "dynamics", "mimic"}:
             found[Consumer.MUJOCO] = _UNREAD
     return {**found, Consumer.ISAAC: REFUSES if is_needed else _WITHOUT_IT, **_ignoring(element)}
+
+
+def _is_followed(element: Element) -> bool:
+    """Is an element a joint that another one mimics, or an end of it?"""
+    joint = element if element.name == "joint" else element.parent
+    return joint is not None and joint.text_of("name") in element.document.view(_leaders)
+
+
+def _leaders(document: Document) -> frozenset[str | None]:
+    joints = document.root.children("joint") if document.root is not None else ()
+    found = (joint.find("mimic") for joint in joints)
+    return frozenset(mimic.text_of("joint") for mimic in found if mimic is not None)
 
 
 def _without_direction(axis: Element) -> Mapping[Consumer, Reaction]:
@@ -257,6 +279,7 @@ _LACKING: Mapping[str, Mapping[Consumer, Reaction]] = {
     "limit": dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO, Consumer.PYBULLET), _UNLIMITED),
     "mass": {Consumer.DRAKE: _ZERO},
     "mimic": {Consumer.PYBULLET: _UNREAD},
+    "safety_controller": {Consumer.PYBULLET: _UNREAD},
 }
 """Element, or element and what it lacks → the reactions that go by it."""
 

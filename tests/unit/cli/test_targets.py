@@ -37,7 +37,8 @@ def test_reasons(capsys: pytest.CaptureFixture[str]) -> None:
     lines = capsys.readouterr().out.splitlines()
     assert "drake      reject" in lines
     assert any(
-        "reject 5:" in line and "mass -20 is negative [INR001] (refuses a negative mass)" in line
+        "reject 5:" in line
+        and "mass -20 is negative [INR001] (refuses the file, for nothing is left)" in line
         for line in lines
     )
     assert any(line.strip().startswith("and ") for line in lines)

@@ -119,10 +119,15 @@ def test_moments_of_merged_links_that_are_turned() -> None:
 
 
 def test_moments_that_cannot_be_summed() -> None:
-    built = robot(links("a", BODY.format(1, "x")) + links("b", BODY.format(1, 9)) + AT).as_built_by(
+    built = robot(links("a", BODY.format(1, "${x}")) + links("b", BODY.format(1, 9)) + AT).as_built_by(
         Consumer.GAZEBO
     )
     assert math.isnan(built.moments(built.tops[0]).trace)
+
+
+def test_moments_are_0_after_a_number_that_urdfdom_cannot_read() -> None:
+    built = robot(links("a", MASS.replace('iyy="1"', 'iyy="x"'))).as_built_by(Consumer.GAZEBO)
+    assert not any(built.moments(built.tops[0]))
 
 
 @pytest.mark.parametrize(

@@ -79,6 +79,41 @@ LINKAGE = (
 )
 
 
+CHAIN = (
+    f'<robot name="r"><link name="world"/><link name="base">{INERTIAL}</link><link name="arm">{INERTIAL}</link>'
+    f'<link name="hand">{INERTIAL}</link><link name="tool"/>'
+    '<joint name="w" type="fixed"><parent link="world"/><child link="base"/></joint>'
+    f'<joint name="j" type="revolute"><parent link="base"/><child link="arm"/>{LIMITED}'
+    f'<joint name="k" type="revolute"><parent link="base"/><child link="hand"/>{LIMITED}'
+    '<joint name="f" type="fixed"><parent link="arm"/><child link="tool"/></joint></robot>'
+)
+MIMICKED = CHAIN.replace(
+    '<parent link="base"/><child link="hand"/>', '<parent link="base"/><child link="hand"/><mimic joint="j"/>'
+)
+
+
+@pytest.mark.parametrize(
+    ("robot", "old", "new", "expected"),
+    [
+        (CHAIN, f'"arm">{INERTIAL}', f'"arm">{INERTIAL.replace("mass", "masss")}', "gazebo mujoco pybullet"),
+        (CHAIN, f'"arm">{INERTIAL}', f'"arm">{INERTIAL.replace("1", "1kg", 1)}', "gazebo isaac mujoco"),
+        (CHAIN, f'"hand">{INERTIAL}', f'"hand">{INERTIAL.replace("1", "1kg", 1)}', "isaac mujoco"),
+        (CHAIN, 'ixx="1"', 'ixx="inf"', "drake"),
+        (CHAIN, 'ixx="1"', 'ixx="9 "', "mujoco"),
+        (
+            MIMICKED,
+            '"j" type="revolute"',
+            '"j" type=""',
+            "drake gazebo isaac mujoco pinocchio pybullet ros urdfdom",
+        ),
+    ],
+)
+def test_libsdformat_drops_links_that_others_need(
+    robot: str, old: str, new: str, expected: str, tmp_path: Path
+) -> None:
+    assert refusing(robot.replace(old, new, 1), tmp_path) == set(expected.split())
+
+
 def test_libsdformat_does_not_meet_a_loop_at_a_link_that_it_drops(tmp_path: Path) -> None:
     assert "gazebo" not in refusing(LINKAGE, tmp_path)
     assert "gazebo" in refusing(
