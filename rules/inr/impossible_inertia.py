@@ -1,7 +1,7 @@
 from collections.abc import Iterator, Sequence
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
-from sdfcheck_rules.inr.moments import has_moments, is_impossible, is_indefinite, once_merged
+from sdfcheck_rules.inr.moments import has_moments, in_drake, is_impossible, is_indefinite, once_merged
 
 INERTIA = (
     '<inertial><mass value="1"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{1}"/></inertial>'
@@ -91,7 +91,10 @@ class ImpossibleInertia(Rule):
             message += f" (`{largest}` is not written, and {inertial.moments[largest]:g} by default)"
         labels = {inertial.link: "the inertia of this link"}
         yield self.diagnostic(
-            inertial.moments[largest], message, labels=labels, affects=once_merged(inertial)
+            inertial.moments[largest],
+            message,
+            labels=labels,
+            affects=once_merged(inertial) | in_drake(inertial),
         )
 
 

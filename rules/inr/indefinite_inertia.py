@@ -2,7 +2,7 @@ from collections.abc import Iterator
 from math import sqrt
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Number, Rule, Severity
-from sdfcheck_rules.inr.moments import has_moments, is_indefinite, once_merged
+from sdfcheck_rules.inr.moments import has_moments, in_drake, is_indefinite, once_merged
 
 
 class IndefiniteInertia(Rule):
@@ -66,7 +66,10 @@ class IndefiniteInertia(Rule):
         return has_moments(inertial) and is_indefinite(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        labels, affects = {inertial.link: "the inertia of this link"}, once_merged(inertial)
+        labels, affects = (
+            {inertial.link: "the inertia of this link"},
+            once_merged(inertial) | in_drake(inertial),
+        )
         name = _culprit(inertial.moments)
         if name is not None:
             moment = inertial.moments[name]

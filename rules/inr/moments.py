@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from sdfcheck import Consumer, Element, Inertial, Joint, Link, Reaction, accepts
+from sdfcheck import Consumer, Element, Inertial, Joint, Link, Reaction, accepts, refuses
 
 _LITTLE, _EXACTLY = 2.0, 0.05
 """Of 1,920 solids in public robots none was twice its moments and, about the origin, within 5 % of them."""
@@ -78,6 +78,13 @@ def once_merged(inertial: Inertial) -> dict[Consumer, Reaction]:
     if not math.isfinite(moments.trace) or moments.is_indefinite or moments.is_impossible:
         return {}
     return {Consumer.GAZEBO: accepts("takes the moments of the link that it builds")}
+
+
+def in_drake(inertial: Inertial) -> dict[Consumer, Reaction]:
+    """The reaction of Drake to a body that cannot be, in a world: with libsdformat it refuses a world for any error."""
+    if any(each.name == "world" for each in inertial.element.around):
+        return {Consumer.DRAKE: refuses("loads no world with such a body")}
+    return {}
 
 
 def is_doubtful(inertial: Inertial) -> bool:

@@ -17,7 +17,7 @@ from sdfcheck import (
     refuses,
     warns,
 )
-from sdfcheck_rules.inr.moments import has_moments_only, is_remarkable, once_merged
+from sdfcheck_rules.inr.moments import has_moments_only, in_drake, is_remarkable, once_merged
 
 INERTIAL = (
     '<inertial><mass value="{0}"/><inertia ixx="{1}" ixy="0" ixz="0" iyy="{1}" iyz="0" izz="{1}"/></inertial>'
@@ -104,8 +104,7 @@ class NonPositiveMass(Rule):
             return
         if not _moves(link):
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)
-        if inertial.is_urdf:
-            affects |= _in_gazebo(link)
+        affects |= _in_gazebo(link) if inertial.is_urdf else in_drake(inertial)
         what = "negative" if mass.number < 0 else "not a number"
         yield self.diagnostic(
             mass, f"mass {mass.text} is {what}", labels={link: "the mass of this link"}, affects=affects

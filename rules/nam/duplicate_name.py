@@ -174,6 +174,8 @@ def _affects(first: Name, later: Name) -> dict[Consumer, Reaction]:
         return dict.fromkeys(UNAWARE, accepts("does not read it"))
     if later.kind == "link":
         return IN_LINKS
+    if later.parent.name == "sensor":
+        return {**IN_MATERIALS, Consumer.DRAKE: accepts("does not read it")}
     if later.kind != "joint":
         return IN_MATERIALS
     children = [element.find("child") for element in (first.value.element, later.value.element)]

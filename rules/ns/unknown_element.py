@@ -8,12 +8,16 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
+    Document,
     Element,
     Fix,
     Good,
+    Inertial,
+    Model,
     Root,
     Rule,
     Severity,
+    World,
     problems,
     refuses,
     rename,
@@ -66,6 +70,14 @@ class UnknownElement(Rule):
         ),
         Bad("<«paint»>red</paint>", says="unknown element `paint` in model `m`"),
         Bad(
+            '<«modle» name="arm"><link name="hand"/></modle>'
+            '<joint name="j" type="fixed"><parent>base</parent><child>arm::hand</child></joint>',
+            fixed='<model name="arm"><link name="hand"/></model>'
+            '<joint name="j" type="fixed"><parent>base</parent><child>arm::hand</child></joint>',
+            unsafe=True,
+            says="did you mean `model`?",
+        ),
+        Bad(
             '<«plugins» filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>',
             fixed='<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>',
             unsafe=True,
@@ -94,7 +106,8 @@ class UnknownElement(Rule):
     def check(self, problem: problems.UnknownElement) -> Iterator[Diagnostic]:
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
-        severity = Severity.ERROR if problem.refused or problem.vital else None
+        is_refused = problem.refused or is_missed(problem) or is_moment(problem)
+        severity = Severity.ERROR if is_refused or problem.vital else None
         if element.name == "origin" and problem.parent.name in PLACED and not problem.parent.has("pose"):
             message += ", which is `pose` in SDFormat"
             yield self.diagnostic(element, message, fix=as_pose(element), severity=severity)
@@ -104,7 +117,7 @@ class UnknownElement(Rule):
             advice = "place its child link instead, by a `pose` that is `relative_to` the parent link"
         fix = rename(guess, element)
         affects = {}
-        if problem.refused:
+        if is_refused:
             affects = {Consumer.GAZEBO: REFUSES}
         elif holds_delimiter(element):
             affects = {Consumer.GAZEBO: refuses("refuses the file for `::` in a name")}
@@ -112,6 +125,31 @@ class UnknownElement(Rule):
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
+
+
+def is_missed(problem: problems.UnknownElement) -> bool:
+    """Does a joint name it, or what is in it? libsdformat knows no such link, model or frame then."""
+    return (problem.parent, problem.element.attributes.get("name", "")) in problem.element.document.view(
+        missed
+    )
+
+
+def missed(document: Document) -> frozenset[tuple[Element, str]]:
+    """Model or world, and what joints in it name that has lost its name."""
+    root = document.view(Root)
+    scopes = (*root.each(Model), *root.each(World))
+    return frozenset(
+        (scope.element, name.partition("::")[0]) for scope in scopes for name in scope.lost_names
+    )
+
+
+def is_moment(problem: problems.UnknownElement) -> bool:
+    """Is it a moment of inertia, in whose place libsdformat takes 1, which no body has beside the others?"""
+    around = problem.parent.parent
+    if problem.parent.name != "inertia" or around is None:
+        return False
+    inertial = problem.element.document.view(Root).part_of(around)
+    return isinstance(inertial, Inertial) and (inertial.tensor.is_indefinite or inertial.tensor.is_impossible)
 
 
 def holds_delimiter(element: Element) -> bool:

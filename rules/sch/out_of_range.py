@@ -26,6 +26,11 @@ CAMERA = (
 )
 
 OTHER_VALUE = dict.fromkeys(Consumer, warns("takes another value"))
+FINITE_IN_DRAKE = frozenset(
+    "capsule/length capsule/radius cylinder/length cylinder/radius sphere/radius "
+    "limit/effort limit/lower limit/upper limit/velocity".split()
+)
+"""The numbers of SDFormat for which Drake asserts that they are finite; of others it does not."""
 
 
 class OutOfRange(Rule):
@@ -119,6 +124,9 @@ class OutOfRange(Rule):
             affects = {**dict.fromkeys(Consumer, others), **unreadable(problem.value)}
         if name == "rgba":
             affects |= {Consumer.DRAKE: REFUSES, Consumer.MUJOCO: others, Consumer.ISAAC: others}
+        is_in_world = any(each.name == "world" for each in problem.value.element.around)
+        if _is_checked_by_drake(problem) or (is_in_world and _is_moment(problem)):
+            affects[Consumer.DRAKE] = REFUSES
         yield self.diagnostic(problem.span, message, severity=severity, affects=affects)
 
 
@@ -140,3 +148,9 @@ def _is_moment(problem: problems.ValueOutOfRange) -> bool:
     element = problem.value.element
     is_sdf, around = element.document.kind.value == "sdf", element.parent
     return is_sdf and around is not None and around.name in {"inertia", "fluid_added_mass"}
+
+
+def _is_checked_by_drake(problem: problems.ValueOutOfRange) -> bool:
+    element = problem.value.element
+    around = element.parent.name if element.parent is not None else ""
+    return problem.bound == "finite" and f"{around}/{element.name}" in FINITE_IN_DRAKE
