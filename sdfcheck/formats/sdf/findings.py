@@ -154,6 +154,12 @@ _OF_URDF = {("mesh", "filename"): "uri"}
 """An attribute of URDF: the child that SDFormat has for it, where that has another name."""
 
 
+def _cut_short(name: str, parent: Element, place: Definition) -> str | None:
+    """The only required child that is not there and begins as a name does: ``name`` for ``n``."""
+    absent = [each for each in place.required_children if each.startswith(name) and not parent.has(each)]
+    return absent[0] if len(absent) == 1 else None
+
+
 def _is_empty(model: Element, name: str) -> bool:
     """Has a model that moves nothing without the part of this name that was meant?"""
     if model.name != "model" or name not in _BODIES or any(map(model.has, (*_BODIES, "include"))):
@@ -260,7 +266,9 @@ class SdfFindings(Findings):
                 groups.append(_Misplaced(found, place))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
-            suggestion = suggestion or with_another_word(name, place.children)
+            suggestion = (
+                suggestion or with_another_word(name, place.children) or _cut_short(name, parent, place)
+            )
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
 
     def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:

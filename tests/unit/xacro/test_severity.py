@@ -352,9 +352,7 @@ def test_a_block_that_an_includer_defines_is_not_missing(folder: Path) -> None:
     (folder / "links.xacro").write_text(part.format('<xacro:insert_block name="mount"/>'))
     assert found(folder, name="links.xacro") == [("XAC001", "error")]
     blocks = '<xacro:property name="mount"><link name="a"/></xacro:property>'
-    (folder / "robot.urdf.xacro").write_text(
-        ROBOT.format(f'{blocks}<xacro:include filename="links.xacro"/>')
-    )
+    (folder / "robot.urdf.xacro").write_text(ROBOT.format(f'{blocks}<xacro:include filename="links.xacro"/>'))
     assert found(folder, name="links.xacro") == []
 
 
@@ -368,10 +366,22 @@ def test_a_file_that_the_build_of_its_package_makes_is_not_missing(folder: Path)
 
 
 def test_a_macro_that_another_file_calls_in_a_plugin_is_not_of_a_robot(folder: Path) -> None:
-    macro = '<xacro:macro name="left_out" params="side"><joint name="${side}_a"/><joint name="b"/></xacro:macro>'
+    macro = (
+        '<xacro:macro name="left_out" params="side"><joint name="${side}_a"/><joint name="b"/></xacro:macro>'
+    )
     (folder / "names.xacro").write_text(PART.format(macro))
     assert {code for code, _ in found(folder, name="names.xacro")} == {"SCH004", "SCH005"}
     call = '<xacro:left_out side="l"/>'
     plugin = f'<gazebo><plugin name="n" filename="f"><ignore>{call}</ignore></plugin></gazebo>'
     (folder / "plugin.xacro").write_text(PART.format(f'<xacro:include filename="names.xacro"/>{plugin}'))
     assert found(folder, name="names.xacro") == []
+
+
+def test_a_value_over_several_lines_is_one_for_xacro(folder: Path) -> None:
+    joint = (
+        '<joint name="j" type="fixed"><parent link="a"/><child link="b"/><origin xyz="0\n  1\n  0"/></joint>'
+    )
+    text = f'<link name="a"/><link name="b"/><xacro:macro name="m" params="">{joint}</xacro:macro>'
+    assert "SCH011" not in {code for code, _ in found(folder, text)}
+    assert found(folder, f"{text}<xacro:m/>") == []
+    assert found(folder, f'<link name="a"/><link name="b"/>{joint}', "robot.urdf") == [("SCH011", "error")]
