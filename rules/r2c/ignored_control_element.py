@@ -89,7 +89,7 @@ class IgnoredControlElement(Rule):
         Good('<vendor:gain name="k"/>', why="a prefix makes it free"),
         Good(
             '<ros2_control name="arm" type="system"><hardware><plugin>ethercat_driver/EthercatDriver</plugin>'
-            '</hardware><joint name="lift"><ec_module name="drive"><plugin>ethercat_generic_plugins/EcCiA402Drive</plugin>'
+            '</hardware><joint name="lift"><ec_module name="drive"><plugin>ethercat_generic_plugins/Drive</plugin>'
             '<param name="alias">0</param></ec_module></joint></ros2_control>',
             scaffold=IN_ROBOT,
             why="its hardware reads them",

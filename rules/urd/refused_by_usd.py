@@ -11,8 +11,8 @@ class RefusedByUsd(Rule):
     """An attribute has a name that there cannot be in USD, for which Isaac Sim's converter refuses the file.
 
     It keeps the attributes that URDF does not know: those of the robot, of links, shapes and materials, and all that
-    is in elements of others, `<gazebo>` among them. A name in USD is letters, digits and `_`, so that one with a prefix,
-    a hyphen or a dot is refused, and nothing is converted. In joints, geometries and origins it ignores them.
+    is in elements of others, `<gazebo>` among them. A name in USD is letters, digits and `_`, so that one with a
+    prefix, a hyphen or a dot is refused, and nothing is converted. In joints, geometries and origins it ignores them.
     """
 
     code = "URD033"
@@ -52,7 +52,8 @@ class RefusedByUsd(Rule):
     def check(self, root: Root) -> Iterator[Diagnostic]:
         names = list(unfit_names(root))
         distinct = dict.fromkeys(value.attribute or "" for value in names)
-        message = f"attribute {named(distinct, most=3)}{used(len(names))} has a name that USD refuses, and its converter the file"
+        which = f"attribute {named(distinct, most=3)}{used(len(names))}"
+        message = f"{which} has a name that USD refuses, and its converter the file"
         yield self.diagnostic(names[0].name_span, message)
 
 

@@ -63,9 +63,9 @@ class ExpansionError(Rule):
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
     an environment variable that is not set here, a file that is not there for the default of an argument, that git
-    ignores or `CMakeLists.txt` makes, or whose path holds on one computer or from another folder only, what the file stops at on purpose
-    (`xacro.fatal`), and what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or
-    macro that is not reached.
+    ignores or `CMakeLists.txt` makes, or whose path holds on one computer or from another folder only, what the file
+    stops at on purpose (`xacro.fatal`), and what xacro does not stop for: a pattern that matches no file, and a mistake
+    in a branch or macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.

@@ -95,7 +95,7 @@ def with_reason(problem: Problem, document: Document) -> Problem:
             )
         if path is not None and is_ignored(path):
             return problem.changed(kind=Failure.IGNORED, detail=problem.detail.rpartition(": ")[0])
-        if path is not None and is_built(document, path):
+        if path is not None and is_built(document, str(path)):
             return problem.changed(kind=Failure.BUILT, detail=problem.detail.rpartition(": ")[0])
         if folder := _folder_above(problem):
             return problem.changed(kind=Failure.ABOVE, detail=folder)
