@@ -68,7 +68,7 @@ class ContentAfterRoot(Rule):
 
 
 def has_markup_behind(text: Span) -> bool:
-    """Do elements or comments follow that are well-formed? With them the text is no end of the file."""
+    """Do well-formed elements or comments follow a text, so that the file does not end with it?"""
     _, sign, rest = text.source.text[text.start :].partition("<")
     try:
         ParserCreate().Parse(f"<_>{sign}{rest}</_>".encode(), True)
