@@ -2,6 +2,7 @@ import re
 from collections.abc import Iterator
 
 from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Include, Rule, Severity, replace
+from sdfcheck_rules.drk.remote_mesh import is_on_host
 
 NAME_ONLY = re.compile(r"(?:model|package)://[^/\s]+")
 ALONE = re.compile(r"[\w.-]+")
@@ -13,7 +14,8 @@ class ModelUriWithoutSlash(Rule):
 
     Drake knows a URI by `scheme://package/path`. `model://turntable` without a path is looked for as a file, and the
     file is refused; `model://turntable/` is found. So is `turntable` alone, which Gazebo looks for among its models,
-    only where a folder of that name is beside the file. Gazebo takes them all.
+    only where a folder of that name is beside the file. `file:` takes an absolute path, after a third slash. Gazebo
+    takes them all.
     """
 
     code = "DRK023"
@@ -44,6 +46,13 @@ class ModelUriWithoutSlash(Rule):
             },
             says="`turntable` is the name of a model elsewhere",
         ),
+        Bad(
+            INCLUDE.format("«file://turntable/model.sdf»"),
+            files={
+                "turntable/model.sdf": '<sdf version="1.9"><model name="t"><link name="l"/></model></sdf>',
+            },
+            says="`file:` takes an absolute path behind three slashes: Drake refuses the file",
+        ),
     )
     good = (
         Good(INCLUDE.format("model://turntable/")),
@@ -57,11 +66,16 @@ class ModelUriWithoutSlash(Rule):
 
     @staticmethod
     def applies(include: Include) -> bool:
-        return NAME_ONLY.fullmatch(include.uri) is not None or is_name_of_model(include)
+        is_named = NAME_ONLY.fullmatch(include.uri) is not None or is_name_of_model(include)
+        return is_named or is_on_host(include)
 
     def check(self, include: Include) -> Iterator[Diagnostic]:
         value = include.uri_value
         if value is None:
+            return
+        if is_on_host(include):
+            message = "`file:` takes an absolute path behind three slashes: Drake refuses the file"
+            yield self.diagnostic(value, message, help="name it by the path from the file, or by `model://`")
             return
         if NAME_ONLY.fullmatch(include.uri):
             message = (

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Resource, Rule, Severity
+from sdfcheck import IN_WORLD, Actor, Bad, Diagnostic, Good, Include, Resource, Rule, Severity
 from sdfcheck_rules.drk.scaffolds import COLLISION, ROBOT_LINK
 
 SCHEMES = ("http://", "https://", "fuel://")
@@ -11,7 +11,8 @@ class RemoteMesh(Rule):
     """A mesh is on a server, from which Drake fetches nothing.
 
     Drake knows the schemes `file`, `model` and `package` alone and refuses the file for any
-    other. Gazebo fetches meshes from Fuel by itself.
+    other. Gazebo fetches meshes from Fuel by itself. In `file://meshes/arm.obj` the server is `meshes`: Drake takes
+    `file:///` with an absolute path alone, and Gazebo the rest as a path.
     """
 
     code = "DRK022"
@@ -35,6 +36,11 @@ class RemoteMesh(Rule):
             says="no mesh is fetched from `http://`",
             scaffold=ROBOT_LINK,
         ),
+        Bad(
+            MESH.format("«file://arm.obj»"),
+            files={"arm.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n"},
+            says="`file:` takes an absolute path behind three slashes: Drake refuses the file",
+        ),
     )
     good = (
         Good(MESH.format("package://arm/meshes/arm.obj"), why="found in the package map"),
@@ -50,9 +56,20 @@ class RemoteMesh(Rule):
     def applies(resource: Resource) -> bool:
         if resource.is_extension or resource.within(Actor) is not None:
             return False
-        return resource.what == "mesh" and resource.uri.startswith(SCHEMES)
+        return resource.what == "mesh" and (resource.uri.startswith(SCHEMES) or is_on_host(resource))
 
     def check(self, resource: Resource) -> Iterator[Diagnostic]:
         scheme = resource.uri.partition("://")[0]
         message = f"no mesh is fetched from `{scheme}://`: Drake refuses the file"
-        yield self.diagnostic(resource.uri_value, message)
+        advice = None
+        if is_on_host(resource):
+            message = "`file:` takes an absolute path behind three slashes: Drake refuses the file"
+            advice = "name it by the path from the file, or by `package://`"
+        yield self.diagnostic(resource.uri_value, message, help=advice)
+
+
+def is_on_host(resource: Include | Resource) -> bool:
+    """Is it a file that is there, by a `file:` that is followed by less than three slashes?"""
+    if not resource.uri.startswith("file:") or resource.uri.startswith("file:///"):
+        return False
+    return resource.location is not None and resource.location.path is not None

@@ -72,6 +72,11 @@ class ScriptMaterial(Rule):
             why="Gazebo Classic shows its default color, too",
         ),
         Good(
+            f"{SHAPE}<material><script><uri>m.material</uri></script></material>",
+            files={"m.material": ""},
+            why="missing-element owns a script without a name",
+        ),
+        Good(
             '<gazebo reference="base"><material>Gazebo/Red</material></gazebo>',
             why="the color of the visual is seen",
             scaffold=LINK.replace("</visual>", f"{RED}</visual>"),
@@ -119,7 +124,5 @@ def _of_material(material: Material) -> Iterator[tuple[Target, str]]:
     script = material.script
     if script is not None and any(script.children()) and not any(map(material.has, COLORS)):
         name = script.find("name")
-        named = name is not None and name.content
-        if named == UNSET:
-            return
-        yield (name.own_value, named) if name is not None and named else (script, "")
+        if name is not None and name.content != UNSET:
+            yield (name.own_value, name.content) if name.content else (script, "")

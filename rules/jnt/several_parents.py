@@ -20,16 +20,18 @@ from sdfcheck import (
 )
 
 HUNG = {Consumer.PINOCCHIO: warns("hangs the link on the joint whose name comes last")}
+HELD = {Consumer.DRAKE: accepts("holds the link, as nothing else joins its parents")}
 DROPPED = {Consumer.GAZEBO: drops("the link, which has no mass")}
 
 
 class SeveralParents(Rule):
     """A link is the child of more than one joint.
 
-    A URDF robot is a tree: MuJoCo, Drake and libsdformat 17 refuse a link with two parents, and urdfdom
+    A URDF robot is a tree: MuJoCo and libsdformat 17 refuse a link with two parents, and urdfdom
     hangs it on the joint whose name comes last. Pinocchio refuses it where it comes to the link before the parent of
     that joint. SDFormat allows it, and Gazebo closes the loop, but
-    it is seldom meant; Drake and the solvers of kinematics want a tree.
+    it is seldom meant: the solvers of kinematics want a tree. Drake refuses loops, whichever way their joints go, and
+    takes two parents that nothing else joins.
     """
 
     code = "JNT007"
@@ -92,27 +94,27 @@ class SeveralParents(Rule):
         return any(True for _ in further_joints(root))
 
     def check(self, root: Root) -> Iterator[Diagnostic]:
-        is_read = is_in_order(root)
+        is_read, closed = is_in_order(root), looped(root)
         for link, joints, further in further_joints(root):
             names = named((each.name for each in joints), most=4)
             message = f"link `{link.name}` is child of {len(joints)} joints: {names}"
             affects = HUNG if link.is_urdf and is_read else {}
             if link.is_urdf and is_dropped(link, joints):
                 affects = affects | DROPPED
+            if link not in closed:
+                affects = affects | HELD
             for joint in further:
                 yield self._one_more(joint, joints[0], message, affects)
 
     def _one_more(
         self, joint: Joint, first: Joint, message: str, affects: dict[Consumer, Reaction]
     ) -> Diagnostic:
-        is_held = not joint.is_urdf and "world" in (joint.parent_name, first.parent_name)
         return self.diagnostic(
             joint.child_value or joint,
             message,
             labels={first.child_value or first: "first a child here"},
             severity=Severity.ERROR if joint.is_urdf else None,
-            # A joint to the world makes no loop with another one.
-            affects={Consumer.DRAKE: accepts("holds the link")} if is_held else affects,
+            affects=affects,
         )
 
 
@@ -123,6 +125,29 @@ def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]
         further = [joint for joint in joints[1:] if not joint.is_urdf or joint.name != joints[0].name]
         if further and link.name not in doubled:
             yield link, joints, further
+
+
+def looped(root: Root) -> set[Link]:
+    """The links that close a loop by one of several joints that carry them, whichever way the others go."""
+    groups: dict[object, object] = {}
+    found = set()
+    for link, joints in sorted(root.parent_joints.items(), key=lambda item: len(item[1])):
+        for joint in joints:
+            start = first_of(joint.parent_link or joint.parent_name or joint, groups)
+            end = first_of(link, groups)
+            if start == end:
+                found.add(link)
+            else:
+                groups[end] = start
+    return found
+
+
+def first_of(part: object, groups: dict[object, object]) -> object:
+    """The part for all that are joined with one; the way to it is made shorter."""
+    while part in groups:
+        groups[part] = groups.get(groups[part], groups[part])
+        part = groups[part]
+    return part
 
 
 def is_dropped(link: Link, joints: list[Joint]) -> bool:

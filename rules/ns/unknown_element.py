@@ -64,6 +64,16 @@ class UnknownElement(Rule):
             says="unknown element `origin` in link `arm`, which is `pose` in SDFormat",
         ),
         Bad(
+            "<geometry><sphere><radius>1</radius></sphere></geometry><material><script>"
+            "<uri>m.material</uri><«n»>Paint</n></script></material>",
+            fixed="<geometry><sphere><radius>1</radius></sphere></geometry><material><script>"
+            "<uri>m.material</uri><name>Paint</name></script></material>",
+            unsafe=True,
+            scaffold=IN_VISUAL,
+            files={"m.material": ""},
+            says="did you mean `name`?",
+        ),
+        Bad(
             "<geometry><sphere><radius>1</radius></sphere></geometry><material><pbr><«glass»/></pbr></material>",
             scaffold=IN_VISUAL,
             says="unknown element `glass` in `pbr`",

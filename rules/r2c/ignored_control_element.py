@@ -10,6 +10,8 @@ GENERIC = (
     "ign_ros2_control/IgnitionSystem",
     "gazebo_ros2_control/GazeboSystem",
 )
+OF_HARDWARE = {"ethercat_driver/EthercatDriver": "ec_module"}
+"""Hardware that reads an element of its own in the text of the description."""
 INITIAL = frozenset({"initial_effort", "initial_position", "initial_velocity"})
 """Read by some hardware of older releases."""
 
@@ -21,7 +23,7 @@ class IgnoredControlElement(Rule):
     interface is not there and a misspelled reduction stays at 1. So it is with attributes that it does not know, such
     as a parameter whose value is an attribute, and with a parameter of an interface that is nearly `min`, `max` or
     `initial_value`. The hardware of Gazebo and mock hardware read `initial_value` of interfaces alone. Of two plugins
-    in one `hardware` it takes the first.
+    in one `hardware` it takes the first. That of EtherCAT reads its modules by itself.
     """
 
     code = "R2C006"
@@ -85,17 +87,26 @@ class IgnoredControlElement(Rule):
         Good('<state_interface name="torque"><param name="initial_value">1</param></state_interface>'),
         Good('<state_interface name="torque"><param name="filter">1</param></state_interface>', why="free"),
         Good('<vendor:gain name="k"/>', why="a prefix makes it free"),
+        Good(
+            '<ros2_control name="arm" type="system"><hardware><plugin>ethercat_driver/EthercatDriver</plugin>'
+            '</hardware><joint name="lift"><ec_module name="drive"><plugin>ethercat_generic_plugins/Drive</plugin>'
+            '<param name="alias">0</param></ec_module></joint></ros2_control>',
+            scaffold=IN_ROBOT,
+            why="its hardware reads them",
+        ),
     )
 
     @staticmethod
     def applies(block: Ros2Control) -> bool:
         return bool(
             second_plugins(block) or any(unread_parameters(block)) or any(unread_attributes(block))
-        ) or any(holder is not block.element and ":" not in child.name for child, holder, _ in block.foreign)
+        ) or any(
+            holder is not block.element and not is_read(child, block) for child, holder, _ in block.foreign
+        )
 
     def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
         for element, holder, place in block.foreign:
-            if holder is block.element or ":" in element.name:
+            if holder is block.element or is_read(element, block):
                 continue
             near = block.nearest(element.name, place.children)
             lacks_plugin = "plugin" in place.children and not holder.has("plugin")
@@ -132,6 +143,13 @@ class IgnoredControlElement(Rule):
                     f"nothing reads `{value.text}` of interface `{interface.attributes.get('name', '')}`"
                 )
                 yield self.diagnostic(value, message, meant=meant(value.text))
+
+
+def is_read(element: Element, block: Ros2Control) -> bool:
+    """Is an element that ros2_control does not know somebody's own, or read by the hardware itself?"""
+    plugin = block.plugin_value
+    own = None if plugin is None else OF_HARDWARE.get(plugin.text.strip())
+    return ":" in element.name or element.name == own
 
 
 def second_plugins(block: Ros2Control) -> list[Element]:

@@ -138,7 +138,8 @@ class UnresolvedInclude(Rule):
         text, value, location = include.uri, include.uri_value, include.location
         if value is None or location is None or location.path is None:
             return
-        files = " or ".join(f"`{text.rstrip('/')}/{name}`" for name in descriptions(location.path))
+        base = text if text.endswith("/") else f"{text}/"
+        files = " or ".join(f"`{base}{name}`" for name in descriptions(location.path))
         advice = f"name the file: {files}" if files else None
         yield self.diagnostic(value, f"`{text}` leads to a folder without `model.config`", help=advice)
 

@@ -26,7 +26,7 @@ INERTIAL = (
 )
 
 WORDS = {
-    "BLANK": "`{name}` holds a space that is not between numbers, or that is not a space",
+    "BLANK": "`{name}` has a tab or line break beside a number, or a space after the last one",
     "COMMA": "`{name}` should be {expected}, separated by spaces and not by commas",
     "EXPRESSION": "`{name}` holds an expression that nothing has expanded",
     "FRACTION": "`{name}` should be {expected}, and `{part}` is a fraction",

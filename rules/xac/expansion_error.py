@@ -23,6 +23,7 @@ _HELP: Mapping[str, str] = {
     "file": 'correct the path, or write `optional="true"` if the file need not be there',
     "above": "write the path as it is from the file itself",
     "ignored": "run the build that makes it, or correct the path",
+    "built": "run the build",
     "submodule": "fetch it with `git submodule update --init`, or correct the path",
     "syntax": "correct the file that is included",
     "text": "save the file as UTF-8",
@@ -41,10 +42,11 @@ _MESSAGES: Mapping[str, str] = {
     "file": "cannot read {detail}",
     "above": "this leads to a file from `{detail}` only, and xacro looks beside the file",
     "ignored": "git ignores {detail}, which is not there: a build may make it",
+    "built": "the build of the package makes {detail}, which is not there yet",
     "submodule": "folder `{detail}` is empty: it may be a submodule that is not checked out",
 }
 
-_MISSING = {"submodule": MissingKind.SUBMODULE, "ignored": MissingKind.IGNORED}
+_MISSING = {"submodule": MissingKind.SUBMODULE, "ignored": MissingKind.IGNORED, "built": MissingKind.BUILT}
 _ELSEWHERE = {"above", "argument", "pattern", "variable", "withheld", *_MISSING}
 """The kinds of what another computer, or another call, may have."""
 
@@ -61,9 +63,9 @@ class ExpansionError(Rule):
     there. The rest of the robot is expanded and checked, as far as it does not depend on
     that. A substitution argument without a value is a warning: the file may be sound. So is
     an environment variable that is not set here, a file that is not there for the default of an argument, that git
-    ignores, or whose path holds on one computer or from another folder only, what the file stops at on purpose
-    (`xacro.fatal`), and what xacro does not stop for: a pattern that matches no file, and a mistake in a branch or
-    macro that is not reached.
+    ignores or `CMakeLists.txt` makes, or whose path holds on one computer or from another folder only, what the file
+    stops at on purpose (`xacro.fatal`), and what xacro does not stop for: a pattern that matches no file, and a mistake
+    in a branch or macro that is not reached.
 
     Expansion runs in a process of its own, without network, with few environment
     variables, and reads nothing outside the project: a xacro file is a program.

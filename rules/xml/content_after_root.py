@@ -1,18 +1,20 @@
 from collections.abc import Iterator
+from xml.parsers.expat import ExpatError, ParserCreate
 
-from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, ignores, problems
+from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, Span, ignores, problems
 
 PARTS = {"model", "world"}
 """Without `<sdf>` around them they are reported by missing-root."""
-IGNORED = dict.fromkeys(Consumer, ignores("it"))
+IGNORED = {**dict.fromkeys(Consumer, ignores("it")), Consumer.ISAAC: REFUSES}
+OF_URDFDOM = {**dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), ignores("it")), Consumer.PINOCCHIO: REFUSES}
 
 
 class ContentAfterRoot(Rule):
     """Something is after the root element: a second one, an end tag, or text.
 
     A document has one root element. The simulators read the first one and ignore a second, but
-    refuse a file with text after it; every strict XML parser refuses both. Content after the
-    root is not checked.
+    refuse a file that ends with text after it, which urdfdom ignores; every strict XML parser refuses both. Content
+    after the root is not checked.
     """
 
     code = "XML008"
@@ -61,4 +63,15 @@ class ContentAfterRoot(Rule):
             affects = IGNORED
         else:
             message = "text after the root element"
+            affects = IGNORED if has_markup_behind(span) else OF_URDFDOM
         yield self.diagnostic(span, message, labels={problem.root: "the root element"}, affects=affects)
+
+
+def has_markup_behind(text: Span) -> bool:
+    """Do well-formed elements or comments follow a text, so that the file does not end with it?"""
+    _, sign, rest = text.source.text[text.start :].partition("<")
+    try:
+        ParserCreate().Parse(f"<_>{sign}{rest}</_>".encode(), True)
+    except (ExpatError, ValueError):
+        return False
+    return rest.rstrip().endswith(">")

@@ -1,6 +1,19 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Consumer, Diagnostic, Fix, Good, Rule, Severity, Span, accepts, problems, replace
+from sdfcheck import (
+    REFUSES,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Fix,
+    Good,
+    Rule,
+    Severity,
+    Span,
+    accepts,
+    problems,
+    replace,
+)
 
 Kind = problems.SyntaxKind
 
@@ -221,6 +234,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
         affects = dict.fromkeys(Consumer, READ) if is_taken(problem) else {}
+        if affects and not is_odd(problem):
+            affects[Consumer.ISAAC] = REFUSES  # its parser is a strict one
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:

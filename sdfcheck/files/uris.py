@@ -278,3 +278,18 @@ def substitute(document: Document, path: str) -> str | None:
     found = library.packages(document.path).files(name, _MOST_LIKE)
     alike = (str(each) for each in found if each.name == name and is_below(str(each), (package,)))
     return next((Path(each).relative_to(package).as_posix() for each in alike), "")
+
+
+_BUILT = r"_BINARY_DIR\}}[^\s\"'()]*/{}(?![\w.-])"
+"""A file in the folder of the build, as CMakeLists.txt names it."""
+
+
+def is_built(document: Document, path: str) -> bool:
+    """Does the build of its package make a file: does CMakeLists.txt name it in the folder of the build?"""
+    library, around = library_of(document), package_around(path)
+    if library is None or around is None:
+        return False
+    with suppress(OSError):
+        text = library.read(Path(around[0], _BUILDS[0]), document, MEGABYTE).decode("utf-8", "replace")
+        return re.search(_BUILT.format(re.escape(os.path.basename(path))), text) is not None
+    return False

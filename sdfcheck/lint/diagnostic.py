@@ -65,6 +65,7 @@ class MissingKind(Enum):
     LFS = "Git LFS file"
     SUBMODULE = "submodule"
     IGNORED = "ignored file"
+    BUILT = "file of a build"
 
 
 class Missing(NamedTuple):

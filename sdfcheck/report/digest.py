@@ -104,6 +104,7 @@ _SHOWN = {
     MissingKind.LFS: 3,
     MissingKind.SUBMODULE: 8,
     MissingKind.IGNORED: 3,
+    MissingKind.BUILT: 3,
 }
 _SETTINGS = {
     MissingKind.PACKAGE: (
@@ -114,6 +115,7 @@ _SETTINGS = {
     MissingKind.LFS: "only pointers to them are here: fetch them with `git lfs pull`",
     MissingKind.SUBMODULE: "their folders are empty: fetch them with `git submodule update --init`",
     MissingKind.IGNORED: "git ignores them: run the build or the download that brings them",
+    MissingKind.BUILT: "the build of their package makes them: run it",
 }
 
 

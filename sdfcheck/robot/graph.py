@@ -4057,9 +4057,9 @@ class Include(FileUse):
 
     @lazy
     def uri_value(self) -> Value | None:
-        """The uri with its place; None where there is none."""
+        """The uri with its place; None where there is none, or an element in it."""
         uri = self.find("uri")
-        return uri.own_value if uri is not None and uri.content else None
+        return uri.own_value if uri is not None and uri.content and not any(uri.children()) else None
 
     @lazy
     def found(self) -> Included:

@@ -375,7 +375,12 @@ def is_complete(document: Document) -> bool:
 
 def _needs_includer(problem: Problem) -> bool:
     """Whether a file that includes this one may give what an expansion lacks."""
-    return _is_missing_argument(problem) or isinstance(problem, UndefinedMacro | UndefinedProperty)
+    lacks_block = isinstance(problem, ExpansionFailure) and problem.lacks_block
+    return (
+        lacks_block
+        or _is_missing_argument(problem)
+        or isinstance(problem, UndefinedMacro | UndefinedProperty)
+    )
 
 
 # The parts of an expansion that depend on values, packages or files that are not known.

@@ -148,6 +148,7 @@ class Failure(Enum):
     FILE = "file"
     SUBMODULE = "submodule"
     IGNORED = "ignored"
+    BUILT = "built"
     ABOVE = "above"
     SYNTAX = "syntax"
     TEXT = "text"
@@ -174,6 +175,8 @@ class Reason(Record):
 
 NO_KEY = "the YAML has no key"
 """The beginning of the reason why an expression fails that asks for one."""
+_NO_BLOCK = "Undefined block"
+"""The same, of a block."""
 
 
 class ExpansionFailure(Record):
@@ -195,6 +198,11 @@ class ExpansionFailure(Record):
     def is_absence(self) -> bool:
         """Does a file that it reads lack a key, wherever that is asked for?"""
         return self.kind is Failure.EXPRESSION and self.detail.startswith(NO_KEY)
+
+    @property
+    def lacks_block(self) -> bool:
+        """Is a block inserted that nothing defines, as far as the expansion has come?"""
+        return self.kind is Failure.EXPRESSION and self.detail.startswith(_NO_BLOCK)
 
 
 class UndeclaredXacroPrefix(Record):

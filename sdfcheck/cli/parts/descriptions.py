@@ -106,9 +106,12 @@ def _is_launched_source(document: Document) -> bool:
 
 
 def load_unexpanded(file: Path, around: SearchContext) -> Document | None:
-    """A file of URDF with elements of xacro as it is written: programs that read it leave them out."""
+    """A file of URDF with elements of xacro as it is written: programs that read it leave them out.
+
+    None for one whose name says that it is for xacro.
+    """
     settings = around.settings_for(file)
-    if file.suffix.lower() != ".urdf":
+    if file.suffix.lower() != ".urdf" or ".xacro" in file.name.lower():
         return None
     return Library(settings.search, settings.size_limit).document(file, Kind.URDF)
 

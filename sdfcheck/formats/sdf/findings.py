@@ -17,6 +17,7 @@ from sdfcheck.formats.findings import (
     judge,
     text_problems,
 )
+from sdfcheck.formats.near_names import distance as edits
 from sdfcheck.formats.near_names import suggest, with_another_word, without_unit
 from sdfcheck.formats.schema import NOT_GIVEN, AttributeDefinition, Definition
 from sdfcheck.formats.sdf.schema import schema
@@ -154,6 +155,18 @@ _OF_URDF = {("mesh", "filename"): "uri"}
 """An attribute of URDF: the child that SDFormat has for it, where that has another name."""
 
 
+def _unless_known(suggestion: str | None, name: str, places: tuple[str, ...]) -> str | None:
+    """A suggestion for a name, unless that is rather the name of an element in other places."""
+    is_far = bool(places) and suggestion is not None and edits(name, suggestion, 1) > 1
+    return None if is_far else suggestion
+
+
+def _cut_short(name: str, parent: Element, place: Definition) -> str | None:
+    """The only required child that is not there and begins as a name does: ``name`` for ``n``."""
+    absent = [each for each in place.required_children if each.startswith(name) and not parent.has(each)]
+    return absent[0] if len(absent) == 1 else None
+
+
 def _is_empty(model: Element, name: str) -> bool:
     """Has a model that moves nothing without the part of this name that was meant?"""
     if model.name != "model" or name not in _BODIES or any(map(model.has, (*_BODIES, "include"))):
@@ -245,6 +258,7 @@ class SdfFindings(Findings):
         suggestion = suggest(name, place.children) or without_unit(name, place.children)
         suggestion = suggestion or (None if is_sdf else _setting(name, place))
         known = history.known_parents(name, self.version)
+        suggestion = _unless_known(suggestion, name, known)
         if known and not self.is_of_another_kind(child):
             if self.is_cut_off(child, parent, known):
                 return
@@ -260,7 +274,9 @@ class SdfFindings(Findings):
                 groups.append(_Misplaced(found, place))
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
-            suggestion = suggestion or with_another_word(name, place.children)
+            suggestion = (
+                suggestion or with_another_word(name, place.children) or _cut_short(name, parent, place)
+            )
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
 
     def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:

@@ -91,8 +91,9 @@ class UrdfWalk(Walk["UrdfFindings"]):
 
     def __init__(self, document: Document, version: Version) -> None:
         super().__init__(document, version)
-        # A tab or line break in a value matters, and the parser has turned it into a space.
-        self.is_wrapped = _WRAPPED_VALUE.search(document.source.text) is not None
+        # A tab or line break in a value matters, and the parser has turned it into a space, as that of xacro does.
+        is_read_as_written = document.kind is not Kind.XACRO
+        self.is_wrapped = is_read_as_written and _WRAPPED_VALUE.search(document.source.text) is not None
 
     def explain(self) -> UrdfFindings:
         from sdfcheck.formats.urdf.findings import UrdfFindings

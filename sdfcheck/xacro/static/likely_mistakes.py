@@ -132,7 +132,7 @@ def is_plain_call(element: Element, visible: Definitions) -> bool:
 def _macros_of_includers(document: Document) -> dict[str, list[Macro]]:
     """The macros of the files that include one, and of all that they include."""
     found: dict[str, list[Macro]] = {}
-    for read in _with_includers(document, visible_definitions(document)):
+    for read in with_includers(document, visible_definitions(document)):
         for macro in read.macros:
             found.setdefault(macro.name, []).append(macro)
     return found
@@ -556,7 +556,7 @@ def _forgotten_prefixes(read: Reading, visible: Definitions) -> Iterator[Oversig
 def _names_by_default(read: Reading, visible: Definitions) -> Iterator[Oversight]:
     """The names that are those of links and joints only while an argument has its default, or not at all."""
     uses = list(_possible_uses(read))
-    around = _with_includers(read.document, visible) if uses else []
+    around = with_includers(read.document, visible) if uses else []
     named = {
         element: (element.attributes.get("name", ""), macro)
         for each in around
@@ -631,7 +631,7 @@ def _uses(element: Element) -> Iterator[Value]:
                 yield value
 
 
-def _with_includers(document: Document, visible: Definitions) -> list[Reading]:
+def with_includers(document: Document, visible: Definitions) -> list[Reading]:
     """A file and those that it includes, and the same of those that include it, directly or not."""
     seen = {each.document.path: each for each in visible.readings}
     library, waiting, done = library_of(document), [document], {document.path}

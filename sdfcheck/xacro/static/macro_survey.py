@@ -19,7 +19,7 @@ from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.language import PREFIX
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.static.definitions import Definitions, is_free, lacks_prefix, reading, visible_definitions
-from sdfcheck.xacro.static.likely_mistakes import is_plain_call
+from sdfcheck.xacro.static.likely_mistakes import is_plain_call, with_includers
 
 _PREFIX = "xacro:"
 _BLOCK = "xacro:insert_block"
@@ -135,17 +135,24 @@ def _path(branch: Element) -> str | None:
 
 
 def _is_of_others(body: Element) -> bool:
-    """Whether a macro is called only where other formats are written, as in ``<gazebo>``."""
+    """Whether a macro is called only where other formats are written, as in ``<gazebo>``.
+
+    That is in its file and those that it includes, and in those that include it.
+    """
     if body.name != "xacro:macro":
         return False
     name = body.attributes.get("name", "").removeprefix(_PREFIX)
-    calls = [
-        call.element
-        for read in visible_definitions(body.document).readings
-        for call in read.calls
-        if call.name.rpartition(".")[2] == name
-    ]
+    calls = body.document.view(_calls).get(name, [])
     return bool(calls) and all(map(is_free, calls))
+
+
+def _calls(document: Document) -> dict[str, list[Element]]:
+    """Macro → the calls of it, in a file, those that it includes, and those that include it."""
+    calls: dict[str, list[Element]] = {}
+    for read in with_includers(document, visible_definitions(document)):
+        for call in read.calls:
+            calls.setdefault(call.name.rpartition(".")[2], []).append(call.element)
+    return calls
 
 
 def _surplus(body: Element, place: Definition) -> int:

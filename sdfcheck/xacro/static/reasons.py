@@ -12,7 +12,7 @@ from pathlib import Path
 from sdfcheck.files.git import is_ignored
 from sdfcheck.files.packages import project_root
 from sdfcheck.files.regular import names_in
-from sdfcheck.files.uris import empty_folder
+from sdfcheck.files.uris import empty_folder, is_built
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.scanner.parse_tag import parse_start_tag
@@ -95,6 +95,8 @@ def with_reason(problem: Problem, document: Document) -> Problem:
             )
         if path is not None and is_ignored(path):
             return problem.changed(kind=Failure.IGNORED, detail=problem.detail.rpartition(": ")[0])
+        if path is not None and is_built(document, str(path)):
+            return problem.changed(kind=Failure.BUILT, detail=problem.detail.rpartition(": ")[0])
         if folder := _folder_above(problem):
             return problem.changed(kind=Failure.ABOVE, detail=folder)
         reason = _of_file(problem, document)

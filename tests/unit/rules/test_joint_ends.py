@@ -198,3 +198,24 @@ def test_leaders_in_urdf() -> None:
     assert codes(in_urdf('<mimic joint="j"/>')) == ["JNT012"]
     (diagnostic,) = reported(in_urdf('<mimic joint="K"/>').replace("</robot>", f"{links('k')}</robot>"))
     assert "did you mean" not in diagnostic.message
+
+
+@pytest.mark.parametrize(
+    ("joints", "is_refused"),
+    [
+        ((("base", "c"), ("b", "c")), False),
+        ((("world", "c"), ("b", "c")), False),
+        ((("base", "c"), ("b", "c"), ("base", "b")), True),
+        ((("b", "c"), ("base", "c"), ("b", "base")), True),
+        ((("world", "c"), ("b", "c"), ("world", "b")), True),
+    ],
+)
+def test_drake_takes_two_parents_unless_they_close_a_loop(
+    joints: tuple[tuple[str, str], ...], is_refused: bool
+) -> None:
+    ends = "".join(tied(parent, child, f"j{at}") for at, (parent, child) in enumerate(joints))
+    found = [
+        each for each in reported(sdf(f'<link name="b"/><link name="c"/>{ends}')) if each.code == "JNT007"
+    ]
+    assert found
+    assert {dict(each.affects)["drake"].is_refusal for each in found} == {is_refused}

@@ -345,3 +345,44 @@ def test_a_part_of_a_robot_that_nobody_includes_lacks_a_link_with_a_warning(fold
     part = '<link name="tip"/><joint name="j" type="fixed"><parent link="{}"/><child link="tip"/></joint>'
     assert found(folder, part.format("hand"), "tip.xacro") == [("JNT001", "warning")]
     assert found(folder, part.format("arm"), "tip.xacro") == [("JNT001", "error")]
+
+
+def test_a_block_that_an_includer_defines_is_not_missing(folder: Path) -> None:
+    part = '<robot name="r" xmlns:xacro="http://ros.org/wiki/xacro"><link name="b"/>{}</robot>'
+    (folder / "links.xacro").write_text(part.format('<xacro:insert_block name="mount"/>'))
+    assert found(folder, name="links.xacro") == [("XAC001", "error")]
+    blocks = '<xacro:property name="mount"><link name="a"/></xacro:property>'
+    (folder / "robot.urdf.xacro").write_text(ROBOT.format(f'{blocks}<xacro:include filename="links.xacro"/>'))
+    assert found(folder, name="links.xacro") == []
+
+
+def test_a_file_that_the_build_of_its_package_makes_is_not_missing(folder: Path) -> None:
+    text = '<xacro:include filename="$(find p)/urdf/made.urdf"/><link name="a"/>'
+    (folder / "package.xml").write_text("<package><name>p</name></package>")
+    (folder / "CMakeLists.txt").write_text("install(FILES urdf/made.urdf DESTINATION share/p/urdf)")
+    assert found(folder, text) == [("XAC001", "error")]
+    (folder / "CMakeLists.txt").write_text("file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/urdf/made.urdf x)")
+    assert found(folder, text) == [("XAC001", "warning")]
+
+
+def test_a_macro_that_another_file_calls_in_a_plugin_is_not_of_a_robot(folder: Path) -> None:
+    macro = (
+        '<xacro:macro name="left_out" params="side"><joint name="${side}_a"/><joint name="b"/></xacro:macro>'
+    )
+    (folder / "names.xacro").write_text(PART.format(macro))
+    assert {code for code, _ in found(folder, name="names.xacro")} == {"SCH004", "SCH005"}
+    call = '<xacro:left_out side="l"/>'
+    plugin = f'<gazebo><plugin name="n" filename="f"><ignore>{call}</ignore></plugin></gazebo>'
+    (folder / "plugin.xacro").write_text(PART.format(f'<xacro:include filename="names.xacro"/>{plugin}'))
+    assert found(folder, name="names.xacro") == []
+
+
+def test_a_value_over_several_lines_is_one_for_xacro(folder: Path) -> None:
+    joint = (
+        '<joint name="j" type="fixed"><parent link="a"/><child link="b"/><origin xyz="0\n  1\n  0"/></joint>'
+    )
+    text = f'<link name="a"/><link name="b"/><xacro:macro name="m" params="">{joint}</xacro:macro>'
+    assert "SCH011" not in {code for code, _ in found(folder, text)}
+    assert "SCH011" not in {code for code, _ in found(folder, f"{text}<xacro:m/>")}
+    plain = f'<robot name="r"><link name="a"/><link name="b"/>{joint}</robot>'
+    assert found(folder, plain, "robot.urdf") == [("SCH011", "error")]
