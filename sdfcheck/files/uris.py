@@ -280,7 +280,7 @@ def substitute(document: Document, path: str) -> str | None:
     return next((Path(each).relative_to(package).as_posix() for each in alike), "")
 
 
-_BUILT = r"_BINARY_DIR\}}[^\s\"'()]*/{}(?![\w.-])"
+_BUILT = r"_BINARY_DIR\}}[^\s\"'()]{{0,200}}/{}(?![\w.-])"
 """A file in the folder of the build, as CMakeLists.txt names it."""
 
 
