@@ -51,7 +51,8 @@ LAUNCH = (
 )
 COMMANDS = '<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>'
 EYE = (
-    '<model name="eye"><static>true</static><link name="l"><{} name="s" type="segmentation"><camera/></sensor></link></model>'
+    '<model name="eye"><static>true</static><link name="l"><{} name="s" type="segmentation"><camera/></sensor></link>'
+    "</model>"
     '<model name="box"><link name="l"/>{}</model>'
 )
 LABEL = '<plugin filename="gz-sim-label-system" name="gz::sim::systems::Label"><label>1</label></plugin>'

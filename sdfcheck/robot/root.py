@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.ros_files import BaseFrame, BridgeFault, BridgeGap, LaunchedWorld
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
+    from sdfcheck.xacro.static.launches import LaunchFault
 
 
 # Which class an element becomes, by its name and by what it is in.
@@ -262,6 +263,15 @@ class Root(Whole):
     def actors(self) -> tuple[Actor, ...]:
         """The actors that are in no world."""
         return tuple(self._parts("actor"))
+
+    @lazy
+    def launch_fault(self) -> LaunchFault | None:
+        """The first place where a launch file of its project does not get what it expands to."""
+        if self.document.path.suffix != ".xacro" or not any(model.links for model in self.models):
+            return None
+        from sdfcheck.xacro.static.launches import launch_fault
+
+        return launch_fault(self.document)
 
     @property
     def is_launched_as_text(self) -> bool:

@@ -800,7 +800,7 @@ def launched_world(document: Document) -> LaunchedWorld | None:
                 files[0],
                 names[0],
                 frozenset(_SYSTEM.findall(text)),
-                "<model" not in text or _SUPPORT.search(text) is None,
+                _SUPPORT.search(text) is None and _CREATED.search(source.text, created.end()) is None,
                 Span(source, created.start(), created.end()),
                 into.pop() if len(into) == 1 else "",
             )
