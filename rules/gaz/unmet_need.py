@@ -254,7 +254,8 @@ def needs(world: World) -> Iterator[tuple[Target, str, str | None]]:
 
 def unlabeled(world: World, names: set[str]) -> Iterator[tuple[Target, str, str]]:
     """The first camera that sees labels alone, in a world where nothing has one."""
-    if "gz-sim-label-system" in names or not world.is_complete:
+    said = world.root.document.source.text
+    if "gz-sim-label-system" in names or "label-system" in said or "<include" in said:
         return
     for sensor in world.root.each(Sensor):
         if sensor.type in LABELED and sensor.within(World) is world:
