@@ -391,6 +391,9 @@ def _controllers(source: Source) -> ControllerFile:
     )
     unreached = () if "**" in nodes else tuple(_unreached(source, paths, nodes, found))
     strays = {each.stray.rpartition("/")[2] for each in unreached} | ({*nodes} if "**" in nodes else set())
+    misspelled = tuple(_misspelled(source, nodes, declared))
+    meant = {(each.owner, each.meant) for each in misspelled}
+    lacking = _lacking(source, paths, declared)
     key = paths.get(_MANAGER)
     is_alone = key is not None and "**" not in paths and not any("/" in path for path in paths)
     return ControllerFile(
@@ -399,8 +402,8 @@ def _controllers(source: Source) -> ControllerFile:
         tuple(filter(None, (_carried(source, name, kind, each) for name, kind, each in known))),
         next((name for name, declared in types.items() if _is_broadcaster(declared)), ""),
         tuple(_mistyped(source, [(_MANAGER, _FOR_MANAGER, nodes.get(_MANAGER)), *known])),
-        tuple(_misspelled(source, nodes, declared)),
-        tuple(_lacking(source, paths, declared)) if "**" not in nodes else (),
+        misspelled,
+        tuple(each for each in lacking if (each.owner, each.name) not in meant and "**" not in nodes),
         tuple(
             each
             for each in _untyped(source, paths, declared)
