@@ -190,7 +190,7 @@ class UnmetNeed(Rule):
 
 
 def created(root: Root) -> Iterator[tuple[Target, str, str | None]]:
-    """What the world lacks in which a launch file creates a robot."""
+    """The things that a robot needs and the world lacks in which a launch file creates it."""
     found = root.launched_world
     if found is None:
         return

@@ -123,7 +123,7 @@ class UnpublishedStates(Rule):
 
 
 def lost(root: Root) -> Iterator[tuple[Target, str, Span | None]]:
-    """What leaves joints without states, the words for it, and where transforms are made of them."""
+    """The part that leaves joints without states, the words for it, and where transforms are made of them."""
     for plugin, broadcaster in root.unstarted_broadcasters:
         place = plugin.file_of_controllers
         if place is None:

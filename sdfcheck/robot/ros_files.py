@@ -675,7 +675,7 @@ _INTO = re.compile(r"[\"']-world[\"']\s*,\s*[\"'](\w{1,100})[\"']")
 _WORLDS = (".sdf", ".world")
 _WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s*=\s*[\"']([^\"'<>]{1,100})[\"']")
 _SUPPORT = re.compile(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
-"""What a world has in which something may be there to stand on, or of which not all is known."""
+"""Words of a world in which something may be there to stand on, or of which not all is known."""
 _SYSTEM = re.compile(r"\b(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
 _TIME = "use_sim_time"
 _TIMED = re.compile(r"use_sim_time[\"']?\s*(?:[:,=]|value\s*=)\s*\(?\s*[\"']?[Tt]rue\b")
