@@ -673,17 +673,20 @@ _NEW_GAZEBO = re.compile(r"\bros_(?:gz|ign)_(?:sim|gazebo)\b")
 _CREATED = re.compile(r"(?:executable|exec)\s*=\s*[\"']create[\"']")
 _INTO = re.compile(r"[\"']-world[\"']\s*,\s*[\"'](\w{1,100})[\"']")
 _WORLDS = (".sdf", ".world")
-_WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s*=\s*[\"']([^\"'<>]{1,100})[\"']")
+_WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s{0,20}=\s{0,20}[\"']([^\"'<>]{1,100})[\"']")
 _SUPPORT = re.compile(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
 """Words of a world in which something may be there to stand on, or of which not all is known."""
 _SYSTEM = re.compile(r"\b(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
 _TIME = "use_sim_time"
-_TIMED = re.compile(r"use_sim_time[\"']?\s*(?:[:,=]|value\s*=)\s*\(?\s*[\"']?[Tt]rue\b")
+_TIMED = re.compile(
+    r"use_sim_time[\"']?\s{0,20}(?:[:,=]|value\s{0,20}=)\s{0,20}(?:\(\s{0,20})?[\"']?[Tt]rue\b"
+)
 _CLOCK = re.compile(r"clock", re.IGNORECASE)
 _SHARE = re.compile(
     r"(?:get_package_share_(?:directory|path)|FindPackageShare)\(\s*(?:package\s*=\s*)?([\"']?\w+)|"
     r"\$\(find-pkg-share\s+(\w+)"
 )
+_GIVEN = re.compile(r"\b(\w{1,100})\s{0,20}=\s{0,20}[\"'](\w{1,100})[\"']")
 _CLOCKLESS = frozenset(("ros_gz_sim", "ros_ign_gazebo", "slam_toolbox", "nav2_bringup", "robot_localization"))
 """Packages whose launch files start no bridge for the clock."""
 
@@ -722,6 +725,7 @@ class _Simulations:
             )
             for path, bare, words in found
         ]
+        self.creations = [each for source, words in self.launches for each in _creations(source, words)]
         self.worlds: dict[str, str] = {}
         """Name of a file → the text of the world in it; empty where two files have the name."""
         self.systems: frozenset[str] = frozenset()
@@ -754,14 +758,12 @@ def _is_clockless(text: str, packages: Packages) -> bool:
     """Does a launch file include none of a package that may start a bridge for the clock?"""
     if "nclude" not in text:
         return True
-    for quoted, plain in _SHARE.findall(text):
-        name = quoted.strip("\"'") or plain
-        if quoted and quoted[0] not in "\"'":
-            given = re.search(rf"\b{quoted}\s*=\s*[\"'](\w+)[\"']", text)
-            name = given[1] if given is not None else ""
-        if name not in _CLOCKLESS and packages.find(name) is None:
-            return False
-    return True
+    given = dict(_GIVEN.findall(text))
+    names = {
+        given.get(quoted, "") if quoted and quoted[0] not in "\"'" else quoted.strip("\"'") or plain
+        for quoted, plain in _SHARE.findall(text)
+    }
+    return all(packages.find(name) is not None for name in names - _CLOCKLESS)
 
 
 def unbridged_clock(document: Document) -> Span | None:
@@ -781,29 +783,38 @@ def is_served(document: Document, systems: Collection[str]) -> bool:
     return any(f"gz-sim-{name}-system" in systems for name in listed)
 
 
+class _Creation(NamedTuple):
+    """The only place in a launch file where a robot is created, the words there, and the world if it is named."""
+
+    span: Span
+    words: frozenset[str]
+    files: frozenset[str]
+    """The words that may be files of worlds."""
+    wanted: str
+
+
+def _creations(source: Source, words: frozenset[str]) -> Iterator[_Creation]:
+    """The place where a launch file creates a robot, if it is the only one."""
+    created = list(islice(_CREATED.finditer(source.text), 2))
+    if len(created) == 1:
+        into = set(_INTO.findall(source.text))
+        files = frozenset(word for word in words if word.endswith(_WORLDS))
+        span = Span(source, created[0].start(), created[0].end())
+        yield _Creation(span, words, files, into.pop() if len(into) == 1 else "")
+
+
 def launched_world(document: Document) -> LaunchedWorld | None:
     """The world of the project in which a launch file creates the robot of a document, if it is the only one there."""
-    library = library_of(document)
+    library, name = library_of(document), document.path.name
     if library is None:
         return None
     simulations = library.of_project(document.path, _Simulations)
-    for source, words in simulations.launches:
-        created = _CREATED.search(source.text)
-        files = [word for word in words if word.endswith(_WORLDS) and word != document.path.name]
-        if created is None or document.path.name not in words or len(files) != 1:
-            continue
-        text = simulations.worlds.get(files[0], "")
-        names = _WORLD.findall(text)
-        if len(names) == 1:
-            into = set(_INTO.findall(source.text))
-            return LaunchedWorld(
-                files[0],
-                names[0],
-                frozenset(_SYSTEM.findall(text)),
-                _SUPPORT.search(text) is None and _CREATED.search(source.text, created.end()) is None,
-                Span(source, created.start(), created.end()),
-                into.pop() if len(into) == 1 else "",
-            )
+    for span, words, files, wanted in simulations.creations:
+        others = files - {name} if name in words else ()
+        text = simulations.worlds.get(next(iter(others)), "") if len(others) == 1 else ""
+        if len(names := _WORLD.findall(text)) == 1:
+            systems, is_bare = frozenset(_SYSTEM.findall(text)), _SUPPORT.search(text) is None
+            return LaunchedWorld(next(iter(others)), names[0], systems, is_bare, span, wanted)
     return None
 
 
@@ -829,6 +840,10 @@ class _States:
         self.is_shown = False
         """Is the robot shown by RViz, and does no launch file start a node of which that is not known?"""
         launches = {path: _without_bridges(text) for path, text in launch_texts(packages)}
+        self.is_left_to_gazebo = any(_TRANSFORMER in text for text in launches.values()) and not any(
+            map(_PUBLISHERS.search, launches.values())
+        )
+        """Are transforms made of states that no node publishes which a launch file starts?"""
         started = next((path for path, text in launches.items() if _TRANSFORMER in text), None)
         if started is None or any(map(_STATES.search, launches.values())):
             return
@@ -883,10 +898,7 @@ def unstarted_broadcaster(document: Document, broadcaster: str, others: Collecti
 def has_other_states(document: Document) -> bool:
     """May a node that the project starts publish states of joints, or make no transforms of them at all?"""
     library = library_of(document)
-    if library is None:
-        return True
-    texts = [_without_bridges(text) for _, text in launch_texts(library.packages(document.path))]
-    return not any(_TRANSFORMER in text for text in texts) or any(map(_PUBLISHERS.search, texts))
+    return library is None or not library.of_project(document.path, _States).is_left_to_gazebo
 
 
 # Parameters that YAML does not take.

@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from html import unescape
-from itertools import islice
+from itertools import accumulate, islice
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -68,6 +68,7 @@ _REPLACED = r"<xacro:|\$\{|\$\("
 """Something that xacro replaces."""
 _JOINED = re.compile(f"xacro[/{_UNKNOWN}]")
 _FORMER = "xacro.py"
+_EXPANDER = re.compile(r"\bxacro\.[a-z_]{1,30}\(")
 _GIVEN = re.compile(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
 
 
@@ -325,11 +326,24 @@ _WRAPPERS = frozenset(
 class _Python:
     """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    __slots__ = ("_around", "_calls", "_defaults", "_given", "_is_expander", "_is_text", "_source", "_values")
+    __slots__ = (
+        "_around",
+        "_calls",
+        "_defaults",
+        "_given",
+        "_has_expander",
+        "_is_expander",
+        "_is_text",
+        "_source",
+        "_starts",
+        "_values",
+    )
 
     def __init__(self, tree: ast.AST, around: _Surroundings, source: Source) -> None:
         self._around = around
         self._source = source
+        self._starts: list[int] = []
+        self._has_expander = _EXPANDER.search(source.text) is not None
         self._given: Mapping[str, str] = {}
         self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         called = set(map(_called, self._calls))
@@ -376,15 +390,18 @@ class _Python:
             elif name == "open" and call.args:
                 file = self._text(call.args[0]).rpartition("/")[2]
                 if file.endswith((".urdf", ".xacro")) and _UNKNOWN not in file:
-                    is_raw = file.endswith(".xacro") and "xacro." not in self._source.text.replace(file, "")
-                    fault = self._fault("read", call) if is_raw and not self._is_expander else None
+                    is_raw = file.endswith(".xacro") and not self._is_expander and not self._has_expander
+                    fault = self._fault("read", call) if is_raw else None
                     yield _Use(file, {}, is_expanded=self._is_expander, fault=fault)
 
     def _fault(self, kind: str, call: ast.Call) -> LaunchFault:
         """A fault at the line of a call."""
-        lines = self._source.text.splitlines(keepends=True)
-        line = lines[call.lineno - 1] if call.lineno <= len(lines) else ""
-        start = sum(map(len, lines[: call.lineno - 1])) + len(line) - len(line.lstrip())
+        if not self._starts:
+            lengths = map(len, self._source.text.splitlines(keepends=True))
+            self._starts = list(accumulate(lengths, initial=0))
+        at = min(call.lineno, len(self._starts) - 1)
+        line = self._source.text[self._starts[at - 1] : self._starts[at]]
+        start = self._starts[at - 1] + len(line) - len(line.lstrip())
         return LaunchFault(kind, Span(self._source, start, start + len(line.strip())))
 
     def _of_process(self, call: ast.Call) -> Iterator[_Use]:
