@@ -22,6 +22,7 @@ LAUNCH = (
 )
 DRIVE = (
     "drive: {{ros__parameters: {{type: diff_drive_controller/DiffDriveController, base_frame_id: base, "
+    "left_wheel_names: [$(var left)], right_wheel_names: [$(var right)], wheel_separation: 0.3, wheel_radius: 0.1, "
     "enable_odom_tf: {}}}}}\n"
 )
 

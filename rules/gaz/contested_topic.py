@@ -40,17 +40,29 @@ ROTOR = (
     '<link name="k"/><joint name="r" type="revolute"><parent>base</parent><child>k</child>'
     "<axis><xyz>0 0 1</xyz></axis></joint>"
 )
+PILOT = (
+    '<plugin name="ArduPilotPlugin" filename="ArduPilotPlugin"><control channel="{}"><jointName>a</jointName></control>'
+    '<control channel="{}"><jointName>b</jointName></control></plugin>'
+    '<link name="k"/><joint name="a" type="revolute"><parent>base</parent><child>k</child><axis><xyz>0 0 1</xyz></axis>'
+    '</joint><link name="l"/><joint name="b" type="revolute"><parent>base</parent><child>l</child>'
+    "<axis><xyz>0 0 1</xyz></axis></joint>"
+)
+UPRIGHT = 0.9
+"""Of the length of an axis: rotors that lift."""
+FEWEST = 4
+"""Motors of a vehicle of which an autopilot makes a list of speeds."""
 MOTORS = "gz-sim-multicopter-motor-model-system"
 NUMBERS = ("actuator_number", "motorNumber")
 
 
 class ContestedTopic(Rule):
-    """Two sensors of a robot publish on one topic, or two of its motors have one number.
+    """Two sensors of a robot publish on one topic, or its motors do not have a number each, from 0 on.
 
     The messages of both sensors come mixed on the topic, of one type or of two. A camera also publishes its
     calibration, on `camera_info` beside its topic: `front` and `back` have one `camera_info`, and `front/image` has its
     own. Motors take their speed from a list, by their number: both turn alike, and the speed that was meant for the
-    second goes nowhere.
+    second goes nowhere. Where no motor has the number 0, the last one asks for a speed beyond the end of the list, as
+    autopilots make one for each motor. So it is with two rotors of ArduPilot on one channel.
     """
 
     code = "GAZ015"
@@ -79,6 +91,16 @@ class ContestedTopic(Rule):
             scaffold=IN_MODEL,
             says="motor number 0 is given before",
         ),
+        Bad(
+            ROTOR + "".join(MOTOR.format(number) for number in ("«1»", 2, 3, 4)),
+            scaffold=IN_MODEL,
+            says="the 4 motors have the numbers 1 to 4, and are counted from 0",
+        ),
+        Bad(
+            PILOT.format(0, "«0»"),
+            scaffold=IN_MODEL,
+            says="channel 0 is given before",
+        ),
     )
     good = (
         Good(
@@ -92,6 +114,7 @@ class ContestedTopic(Rule):
             why="one camera, with one calibration",
         ),
         Good(ROTOR + MOTOR.format("0") + MOTOR.format("1"), scaffold=IN_MODEL),
+        Good(PILOT.format(0, 1), scaffold=IN_MODEL),
     )
 
     @staticmethod
@@ -126,7 +149,15 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
                     value,
                     f"{sensor.title} publishes its calibration on `{info}`, as {other.title} does",
                 )
+    yield from numbered(root)
+
+
+def numbered(root: Root) -> Iterator[tuple[Value, Value, str]]:
+    """The same for numbers of motors, and the first where they are not counted from 0."""
     numbers: dict[tuple[object, ...], Value] = {}
+    lists: dict[tuple[object, ...], list[Value]] = {}
+    for plugin in root.each(Plugin) if "<control" in root.document.source.text else ():
+        yield from channels(plugin)
     for plugin in root.each(Plugin) if MOTORS.removeprefix("gz-sim-") in root.document.source.text else ():
         value = next((found for name in NUMBERS if (found := plugin.value(name)) is not None), None)
         if plugin.known is None or plugin.known.file != MOTORS or value is None or "$" in value.text:
@@ -135,6 +166,31 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
         first_number = numbers.setdefault(key, value)
         if first_number is not value:
             yield first_number, value, f"motor number {value.text.strip()} is given before"
+        lists.setdefault(key[:-1], []).append(value)
+    for values in lists.values():
+        count = len(values)
+        if count >= FEWEST and {each.number for each in values} == set(range(1, count + 1)):
+            words = f"the {count} motors have the numbers 1 to {count}, and are counted from 0"
+            yield values[-1], min(values, key=lambda each: each.number), words
+
+
+def channels(plugin: Plugin) -> Iterator[tuple[Value, Value, str]]:
+    """The channels of an autopilot that turn two rotors; wheels and servos may share one on purpose."""
+    model = plugin.within(Model)
+    rotors = {
+        joint.name
+        for joint in (model.joints if model is not None else ())
+        if joint.direction is not None and abs(joint.direction[2]) > UPRIGHT
+    }
+    given: dict[str, Value] = {}
+    for control in plugin.children("control"):
+        value, joint = control.attribute("channel"), control.find("jointName")
+        if value is None or joint is None or joint.content.rpartition("::")[2] not in rotors:
+            continue
+        kind = control.find("type")
+        first = given.setdefault(value.text.strip(), value)
+        if first is not value and (kind is None or kind.content.strip() == "VELOCITY"):
+            yield first, value, f"channel {value.text.strip()} is given before"
 
 
 def view(sensor: Sensor) -> tuple[object, ...]:

@@ -18,7 +18,9 @@ CONTROLLED = (
 
 def controller(base: str, more: str = "") -> dict[str, str]:
     kind = "diff_drive_controller/DiffDriveController"
-    return {"c.yaml": f"drive: {{ros__parameters: {{type: {kind}, base_frame_id: {base}{more}}}}}\n"}
+    wheels = "left_wheel_names: [$(var left)], right_wheel_names: [$(var right)]"
+    given = f"{wheels}, wheel_separation: 0.3, wheel_radius: 0.1, base_frame_id: {base}{more}"
+    return {"c.yaml": f"drive: {{ros__parameters: {{type: {kind}, {given}}}}}\n"}
 
 
 NAMES = ("robot_base_frame", "robotBaseFrame", "child_frame_id")

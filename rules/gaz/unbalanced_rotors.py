@@ -1,10 +1,12 @@
 from collections.abc import Iterator, Sequence
 from math import dist
 
-from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity, Value
+from sdfcheck import Bad, Diagnostic, Good, Joint, Plugin, Rule, Severity, Value
 
 UPRIGHT = 0.9
 """Of the length of an axis: rotors that lift."""
+ACROSS = 0.1
+"""The z component of an axis that lies across it."""
 FEWEST, QUAD, MOST = 4, 4, 16
 DIRECTIONS = ("ccw", "cw")
 MOTOR, WET = "motor_model", ("buoyancy", "hydrodynamics")
@@ -28,11 +30,12 @@ def rotors(*directions: str) -> str:
 
 
 class UnbalancedRotors(Rule):
-    """The rotors of a multicopter do not turn in opposite directions in pairs.
+    """The rotors of a multicopter do not turn in opposite directions in pairs, or not about their thrust.
 
     A rotor turns its vehicle the other way. Where not as many turn clockwise as counterclockwise, the vehicle spins as
     soon as it takes off. Of four rotors those across from each other turn in one direction, and the other two in the
-    other; any other order mixes yaw with roll or pitch, and the vehicle flips.
+    other; any other order mixes yaw with roll or pitch, and the vehicle flips. The thrust of a rotor is along the z
+    axis of its link, whatever the axis of its joint is: one that lies across it turns the blades on edge.
     """
 
     code = "GAZ030"
@@ -57,6 +60,10 @@ class UnbalancedRotors(Rule):
             rotors("«ccw»", "cw", "ccw", "cw"),
             says="the rotors across from each other turn in opposite directions",
         ),
+        Bad(
+            rotors("ccw", "ccw", "cw", "cw").replace("<xyz>0 0 1<", "<xyz>«1 0 0»<", 1),
+            says="joint `j0` turns rotor `rotor_0` about another axis than that of its thrust, the z axis of the link",
+        ),
     )
     good = (
         Good(rotors("ccw", "ccw", "cw", "cw")),
@@ -65,11 +72,16 @@ class UnbalancedRotors(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return culprit(plugin) is not None
+        return culprit(plugin) is not None or edgewise(plugin) is not None
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        found = culprit(plugin)
-        assert found is not None
+        if (joint := edgewise(plugin)) is not None:
+            what = (
+                f"{joint.title} turns rotor `{joint.child_name}` about another axis than that of its thrust"
+            )
+            yield self.diagnostic(joint.axis.xyz, f"{what}, the z axis of the link")
+        if (found := culprit(plugin)) is None:
+            return
         value, other, message = found
         yield self.diagnostic(value, message, labels={other: "the other one"})
 
@@ -100,6 +112,19 @@ def culprit(plugin: Plugin) -> tuple[Value, Value, str] | None:
             return value, other, f"{count}: this one turns the other way than the one across from it"
     value, other = [value for value, _ in found if value.text.strip() == most][:2]
     return value, other, f"{count}, so that the vehicle spins"
+
+
+def edgewise(plugin: Plugin) -> Joint | None:
+    """The joint of a rotor whose axis lies across the z axis of its link, where both are in one frame."""
+    if MOTOR not in plugin.filename.lower().replace("-", "_"):
+        return None
+    joint = next((each.joint for each in plugin.references if each.joint is not None), None)
+    if joint is None or joint.axis.expressed_in or (not joint.is_urdf and joint.has("pose")):
+        return None
+    xyz = joint.axis.xyz
+    return (
+        joint if len(xyz) == 3 and xyz.is_given and joint.axis.length > 0 and abs(xyz[2]) < ACROSS else None
+    )
 
 
 def across(found: list[tuple[Value, Sequence[float]]]) -> list[tuple[Value, Value]]:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Rule, Sensor, Severity, Target, World
+from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Plugin, Root, Rule, Sensor, Severity, Target, World
 
 PLACE = "add `<spherical_coordinates>` to the world"
 FLUID = "add `gz-sim-buoyancy-system` to the plugins of the world"
@@ -35,7 +35,39 @@ ROVER = (
     "<right_joint>k</right_joint></plugin></model>"
 )
 FLOOR = GROUND.replace("<{}><uri>h.png</uri></heightmap>", "<plane><normal>0 0 1</normal></plane>")
+ROBOT = (
+    '<robot name="r"><link name="base"/><link name="a"/><link name="b"/>'
+    + "".join(
+        f'<joint name="{each}_joint" type="continuous"><parent link="base"/><child link="{each}"/>'
+        '<axis xyz="0 1 0"/></joint>'
+        for each in "ab"
+    )
+    + '<gazebo><{} filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive">'
+    "<left_joint>a_joint</left_joint><right_joint>b_joint</right_joint></plugin></gazebo></robot>"
+)
+LAUNCH = (
+    'Node(package="ros_gz_sim", executable="create", arguments=["-file", "robot.urdf"])\n'
+    'gz = {"gz_args": "-r yard.sdf"}\n'
+)
+COMMANDS = '<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>'
+EYE = (
+    '<model name="eye"><static>true</static><link name="l"><{} name="s" type="segmentation"><camera/></sensor></link>'
+    "</model>"
+    '<model name="box"><link name="l"/>{}</model>'
+)
+LABEL = '<plugin filename="gz-sim-label-system" name="gz::sim::systems::Label"><label>1</label></plugin>'
+LABELED = frozenset(("boundingbox", "boundingbox_camera", "segmentation", "segmentation_camera"))
+UNLABELED = "add `gz-sim-label-system` to what the camera is to tell apart"
+COMMANDED = "add `gz-sim-user-commands-system` to the plugins of the world"
 DETECTOR = '<physics type="ode"><dart><collision_detector>bullet</collision_detector></dart></physics>'
+
+
+def files(content: str) -> dict[str, str]:
+    """A launch file that creates a robot in a world."""
+    return {
+        "sim.launch.py": LAUNCH,
+        "yard.sdf": f'<sdf version="1.9"><world name="yard">{content}</world></sdf>',
+    }
 
 
 class UnmetNeed(Rule):
@@ -43,7 +75,9 @@ class UnmetNeed(Rule):
 
     A navsat sensor needs `spherical_coordinates`, without which it has no position to report; for a magnetometer
     Gazebo works out the field at that place, and warns at each step where it has none. The WindEffects system needs
-    a model or link with `enable_wind`, without which it moves nothing, and a robot on wheels something to stand on.
+    a model or link with `enable_wind`, without which it moves nothing, and a robot on wheels something to stand on,
+    also one that a launch file creates in a world of the project: before gz-sim 9 this takes the system for user
+    commands, if the world lists any. Cameras for segmentation and bounding boxes see nothing but what has a label.
     Hydrodynamics needs the Buoyancy system: without it the vessel sinks. A heightmap to collide with needs the
     collision detector `bullet`: that of the engine by default does not know heightmaps, and everything falls
     through.
@@ -58,11 +92,13 @@ class UnmetNeed(Rule):
       `longitude_deg`, `elevation` and `heading_deg`.
     - A robot on wheels: a static model with a plane, or an include of one.
     - Wind: `<enable_wind>true</enable_wind>` in the models or links that it is to move.
+    - A robot that is created: `gz-sim-user-commands-system` in the world.
+    - A camera for segmentation: `gz-sim-label-system` with a `<label>` in models, links or visuals.
     - Hydrodynamics: a plugin `gz-sim-buoyancy-system` with
       `<uniform_fluid_density>1000</uniform_fluid_density>` or graded layers.
     - A heightmap: `<physics><dart><collision_detector>bullet</collision_detector></dart></physics>`.
     """
-    looks_at = (World,)
+    looks_at = (World, Root)
     scaffold = IN_WORLD
 
     bad = (
@@ -87,6 +123,24 @@ class UnmetNeed(Rule):
             says="model `m` falls: nothing in world `w` is there to stand on",
         ),
         Bad(
+            PHYSICS + EYE.format("«sensor»", ""),
+            says="sensor `s` sees nothing: nothing in world `w` has a label",
+        ),
+        Bad(
+            ROBOT.format("«plugin»"),
+            scaffold="{}",
+            file="robot.urdf",
+            files=files(PHYSICS + COMMANDS),
+            says="robot `r` falls: nothing in world `yard` of `yard.sdf` is there to stand on",
+        ),
+        Bad(
+            ROBOT.format("plugin").replace("robot", "«robot»", 1),
+            scaffold="{}",
+            file="robot.urdf",
+            files=files(PHYSICS + FLOOR),
+            says="`sim.launch.py` cannot create the robot: world `yard` in `yard.sdf` lists systems of Gazebo, but not",
+        ),
+        Bad(
             PHYSICS + GROUND.replace("{}", "«heightmap»"),
             says="collides with nothing: world `w` does not choose the collision detector `bullet`",
         ),
@@ -107,17 +161,49 @@ class UnmetNeed(Rule):
         Good(PHYSICS + WIND.format("plugin", "<enable_wind>true</enable_wind>")),
         Good(PHYSICS + WIND.format("plugin", "<static>true</static>"), why="the model comes later"),
         Good(PHYSICS + ROVER.replace("{}", "plugin") + FLOOR),
+        Good(PHYSICS + EYE.format("sensor", LABEL)),
+        Good(
+            ROBOT.format("plugin"), scaffold="{}", file="robot.urdf", files=files(PHYSICS + COMMANDS + FLOOR)
+        ),
+        Good(
+            ROBOT.format("plugin"),
+            scaffold="{}",
+            file="robot.urdf",
+            files=files(FLOOR),
+            why="Gazebo brings its own systems",
+        ),
         Good(PHYSICS + DETECTOR + GROUND.replace("{}", "heightmap")),
         Good(GROUND.replace("{}", "heightmap"), why="nothing says that the world is for the new Gazebo"),
     )
 
     @staticmethod
-    def applies(world: World) -> bool:
-        return is_of_gz_sim(world) and next(needs(world), None) is not None
+    def applies(part: World | Root) -> bool:
+        if isinstance(part, Root):
+            return next(created(part), None) is not None
+        return is_of_gz_sim(part) and next(needs(part), None) is not None
 
-    def check(self, world: World) -> Iterator[Diagnostic]:
-        for target, words, advice in needs(world):
-            yield self.diagnostic(target, words, help=advice)
+    def check(self, part: World | Root) -> Iterator[Diagnostic]:
+        for target, words, advice in created(part) if isinstance(part, Root) else needs(part):
+            span = part.launched_world.span if isinstance(part, Root) and part.launched_world else None
+            labels = {span: "created here"} if span is not None else None
+            yield self.diagnostic(target, words, help=advice, labels=labels)
+
+
+def created(root: Root) -> Iterator[tuple[Target, str, str | None]]:
+    """The things that a robot needs and the world lacks in which a launch file creates it."""
+    found = root.launched_world
+    if found is None:
+        return
+    world = f"world `{found.name}`"
+    if found.systems and "user-commands" not in found.systems:
+        file = found.span.source.path.name
+        words = f"{world} in `{found.file}` lists systems of Gazebo, but not user commands"
+        yield root.element, f"`{file}` cannot create the robot: {words}", COMMANDED
+    if found.is_bare:
+        drive = next((each for each in root.each(Plugin) if each.known and each.known.file in DRIVES), None)
+        if drive is not None and drive.drive is not None:
+            words = f"nothing in {world} of `{found.file}` is there to stand on"
+            yield drive, f"robot `{root.models[0].name}` falls: {words}", GROUNDED
 
 
 def is_of_gz_sim(world: World) -> bool:
@@ -149,6 +235,7 @@ def needs(world: World) -> Iterator[tuple[Target, str, str | None]]:
             if is_fluid and plugin.within(World) is world:
                 yield plugin, f"the vessel sinks: {world.title} has no Buoyancy system", FLUID
                 break
+    yield from unlabeled(world, names)
     yield from windless(world, plugins)
     yield from groundless(world, plugins)
     chosen = {element.content for element in root.elements.get("collision_detector", ())}
@@ -163,6 +250,17 @@ def needs(world: World) -> Iterator[tuple[Target, str, str | None]]:
                 )
                 yield heightmap, f"the heightmap {words}", None
                 break
+
+
+def unlabeled(world: World, names: set[str]) -> Iterator[tuple[Target, str, str]]:
+    """The first camera that sees labels alone, in a world where nothing has one."""
+    said = world.root.document.source.text
+    if "gz-sim-label-system" in names or "label-system" in said or "<include" in said:
+        return
+    for sensor in world.root.each(Sensor):
+        if sensor.type in LABELED and sensor.within(World) is world:
+            yield sensor, f"{sensor.title} sees nothing: nothing in {world.title} has a label", UNLABELED
+            break
 
 
 def windless(world: World, plugins: list[Plugin]) -> Iterator[tuple[Target, str, str]]:

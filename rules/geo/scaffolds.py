@@ -98,6 +98,7 @@ def controlled(robot: str, mark: str = "parameters") -> str:
 
 def controllers(*, left: str = "left", right: str = "right", **parameters: str) -> dict[str, str]:
     """The file of a controller for a robot with two wheels."""
+    parameters = {"wheel_separation": "0.34", "wheel_radius": "0.1", **parameters}
     given = "".join(f", {name}: {value}" for name, value in parameters.items())
     return {
         "c.yaml": "drive: {ros__parameters: {type: diff_drive_controller/DiffDriveController, "

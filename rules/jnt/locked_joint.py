@@ -1,10 +1,25 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Limit, Rule, Severity
+from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Joint, Limit, Rule, Severity
 from sdfcheck_rules.jnt.inverted_limits import BOUNDED
 from sdfcheck_rules.jnt.powerless_joint import TRANSMITTED, driver_name
 
 AXIS = "<axis><xyz>0 0 1</xyz><limit><lower>{}</lower><upper>{}</upper></limit></axis>"
+FEWEST = 3
+"""Joints of a robot that are locked for want of numbers, not on purpose."""
+JOINTS = "".join(
+    f'<link name="{child}"/><joint name="j{child}" type="revolute"><parent link="{parent}"/><child link="{child}"/>'
+    '<axis xyz="0 0 1"/><limit lower="@" upper="@" effort="0" velocity="0"/></joint>'
+    for parent, child in ("ab", "bc", "cd")
+)
+
+
+def zeros(*limits: object) -> str:
+    """A robot whose joints are all limited from one number to the same."""
+    text = JOINTS
+    for limit in limits:
+        text = text.replace("@", str(limit), 1).replace("@", str(limit).strip("«»"), 1)
+    return f'<robot name="r"><link name="a"/>{text}</robot>'
 
 
 class LockedJoint(Rule):
@@ -12,7 +27,7 @@ class LockedJoint(Rule):
 
     Nothing can move the joint, and with another limit than 0 it cannot be where simulations start. A sign or a number
     was lost, or an exporter wrote one value for both. Joints that nothing drives are often locked at 0, so that Gazebo
-    keeps their links; they are not reported.
+    keeps their links; they are not reported, unless no joint of the robot can move by its limits.
     """
 
     code = "JNT023"
@@ -41,6 +56,11 @@ class LockedJoint(Rule):
             scaffold=TRANSMITTED,
             says="lower limit 0 equals the upper one: joint `j` cannot move, and `transmission` drives it",
         ),
+        Bad(
+            zeros("«0»", 0, 0),
+            scaffold="{}",
+            says="no joint of robot `r` can move: all 3 are limited from 0 to 0, as exporters write where nobody has",
+        ),
     )
     good = (
         Good(AXIS.format("0", "0"), why="locked on purpose"),
@@ -50,6 +70,7 @@ class LockedJoint(Rule):
             why="locked on purpose",
         ),
         Good('<limit lower="-0.035" upper="0.035" effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT),
+        Good(zeros(0, 0, 0).replace('upper="0"', 'upper="1"', 1), scaffold="{}", why="locked on purpose"),
         Good('<limit effort="5" velocity="2"/>', scaffold=IN_URDF_JOINT, why="no limits are written"),
     )
 
@@ -60,13 +81,35 @@ class LockedJoint(Rule):
             return False
         if limit.joint.type not in BOUNDED or limit.axis.limit is not limit:
             return False
-        return lower.number != 0 or limit.joint.driver is not None
+        return lower.number != 0 or limit.joint.driver is not None or is_first_of_all(limit)
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         lower, upper, driver = limit.lower, limit.upper, limit.joint.driver
+        if lower.number == 0 and driver is None:
+            robot = limit.joint.scope
+            count = sum(joint.moves for joint in limit.joint.root.each(Joint))
+            words = (
+                f"all {count} are limited from 0 to 0, as exporters write where nobody has entered a number"
+            )
+            yield self.diagnostic(lower, f"no joint of {robot.title} can move: {words}")
+            return
         message = f"lower limit {lower.text} equals the upper one: {limit.joint.title} cannot move"
         labels: dict[object, str] = {upper: "the upper limit"}
         if driver is not None:
             message += f", and `{driver_name(driver)}` drives it"
             labels[driver] = "drives it"
         yield self.diagnostic(lower, message, labels=labels)
+
+
+def is_first_of_all(limit: Limit) -> bool:
+    """Is it of the first joint of a robot of URDF in which all are limited from 0 to 0, without effort or velocity?"""
+    joints = [joint for joint in limit.joint.root.each(Joint) if joint.moves] if limit.joint.is_urdf else []
+    if len(joints) < FEWEST or joints[0].element is not limit.joint.element:
+        return False
+    limits = [joint.axis.limit for joint in joints]
+    return all(
+        joint.type in BOUNDED
+        and each.upper.is_given
+        and {each.lower.number, each.upper.number, each.effort.number, each.velocity.number} == {0}
+        for joint, each in zip(joints, limits, strict=True)
+    )

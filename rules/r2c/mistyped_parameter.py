@@ -20,6 +20,7 @@ WORDS = {
     "list": "a list",
     "numbers": "a list of numbers with points",
 }
+SIDES = "left_wheel_names: [$(var left)], right_wheel_names: [$(var right)]"
 DRIVE = "diff_drive_controller/DiffDriveController"
 FORWARD = "forward_command_controller/ForwardCommandController"
 MANAGER = "controller_manager: {{ros__parameters: {{update_rate: {}}}}}\n"
@@ -48,13 +49,13 @@ class MistypedParameter(Rule):
     bad = (
         Bad(
             ROBOT,
-            files=files(DRIVE, "wheel_radius: 1, wheel_separation: 2"),
+            files=files(DRIVE, f"{SIDES}, wheel_radius: 1, wheel_separation: 2"),
             says="`wheel_radius` of `drive` in `controllers.yaml` is `1`, and a number with a point is asked for, "
             "such as 1.0 (and 1 more)",
         ),
         Bad(
             ROBOT,
-            files=files(FORWARD, "interface_name: [position]"),
+            files=files(FORWARD, "joints: [lift], interface_name: [position]"),
             says="`interface_name` of `drive` in `controllers.yaml` is `[position]`, and one text is asked for",
         ),
         Bad(ROBOT, files={"controllers.yaml": MANAGER.format("30.0")}, says="a whole number is asked for"),

@@ -12,13 +12,13 @@ BLOCK = (
 MANAGER = "controller_manager:\n  ros__parameters:\n    {}:\n      type: {}\n"
 TRAJECTORY = (
     MANAGER.format("arm", "joint_trajectory_controller/JointTrajectoryController")
-    + "arm:\n  ros__parameters:\n    joints: [lift]\n    command_interfaces: [{}]\n"
+    + "arm:\n  ros__parameters:\n    joints: [lift]\n    command_interfaces: [{}]\n    state_interfaces: [position]\n"
 )
 BOTH = (
     "controller_manager:\\n  ros__parameters:\\n"
     "    arm: {type: joint_trajectory_controller/JointTrajectoryController}\\n"
     "    speed: {type: velocity_controllers/JointGroupVelocityController}\\n"
-    "arm: {ros__parameters: {joints: [lift], command_interfaces: [position]}}\\n"
+    "arm: {ros__parameters: {joints: [lift], command_interfaces: [position], state_interfaces: [position]}}\\n"
     "speed: {ros__parameters: {joints: [lift]}}\\n"
 )
 SECOND = MANAGER.format("speed", "velocity_controllers/JointGroupVelocityController") + (

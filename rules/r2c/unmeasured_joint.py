@@ -16,7 +16,8 @@ FILE = {
 }
 DRIVE = {
     "controllers.yaml": "drive: {ros__parameters: {type: diff_drive_controller/DiffDriveController, "
-    "left_wheel_names: [lift], right_wheel_names: [lift]}}\n"
+    "left_wheel_names: [lift], right_wheel_names: [lift], "
+    "wheel_separation: 0.5, wheel_radius: 0.1}}\n"
 }
 STATES = {
     "controllers.yaml": "controller_manager: {ros__parameters: {states: {type: "

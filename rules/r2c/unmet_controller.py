@@ -43,22 +43,33 @@ class UnmetController(Rule):
     bad = (
         Bad(
             ROBOT,
-            files=files(TRAJECTORY, "joints: [lfit], command_interfaces: [position]"),
+            files=files(
+                TRAJECTORY, "joints: [lfit], command_interfaces: [position], state_interfaces: [position]"
+            ),
             says="`arm_controller` of `controllers.yaml` asks for joint `lfit`, which no `ros2_control` block of "
             "robot `r` has; there is `lift`",
         ),
         Bad(ROBOT, files=files("velocity_controllers/JointGroupVelocityController", "joints: [wheel]")),
-        Bad(ROBOT, files=files(IMU, "sensor_name: imu_sensor"), says="asks for sensor `imu_sensor`"),
+        Bad(
+            ROBOT,
+            files=files(IMU, "sensor_name: imu_sensor, frame_id: imu"),
+            says="asks for sensor `imu_sensor`",
+        ),
     )
     good = (
-        Good(SOUND, files=files(TRAJECTORY, "joints: [lift], command_interfaces: [position]")),
+        Good(
+            SOUND,
+            files=files(
+                TRAJECTORY, "joints: [lift], command_interfaces: [position], state_interfaces: [position]"
+            ),
+        ),
         Good(
             SOUND,
             files=files(TRAJECTORY, "joints: [$(var prefix)lift]"),
             why="the launch file gives the name",
         ),
         Good(SOUND, files=files("my_controllers/Own", "joints: [all]"), why="nothing is known about it"),
-        Good(SOUND, files=files(IMU, "sensor_name: imu")),
+        Good(SOUND, files=files(IMU, "sensor_name: imu, frame_id: imu")),
     )
 
     @staticmethod

@@ -11,7 +11,7 @@ PLUGIN = (
 )
 SPACE = "<ros><namespace>{}</namespace></ros>"
 MANAGER = "{}: {{ros__parameters: {{update_rate: 100, arm: {{type: {}{}}}}}}}\n"
-ARM = "{}: {{ros__parameters: {{joints: [lift], command_interfaces: [position]}}}}\n"
+ARM = "{}: {{ros__parameters: {{joints: [lift], command_interfaces: [position], state_interfaces: [position]}}}}\n"
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
 
 

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import SDF, Bad, Diagnostic, Good, Plugin, Rule, Severity, World, named
+from sdfcheck import SDF, Bad, Diagnostic, Good, Plugin, Root, Rule, Severity, World, named
 
 WORLD = (
     '<world name="w">{}<model name="m"><link name="l">'
@@ -14,6 +14,12 @@ SCREEN = (
     + '<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>'
     + '<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>'
 )
+ROBOT = '<robot name="r"><link name="a"/><gazebo reference="a"><sensor name="s" type="{}"/></gazebo></robot>'
+LAUNCH = (
+    'Node(package="ros_gz_sim", executable="create", arguments=["-file", "robot.urdf"])\n'
+    'gz = {"gz_args": "-r yard.sdf"}\n'
+)
+YARD = '<sdf version="1.9"><world name="yard">{}</world></sdf>'
 IMU = '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>'
 
 
@@ -22,7 +28,8 @@ class SensorWithoutSystem(Rule):
 
     In Gazebo every type of sensor needs its system among the plugins of the world, or of a model; without it the
     sensor never publishes, and nobody says so. Systems may also be added by programs that start Gazebo: where the world
-    lists neither a system for another type of sensor nor all that Gazebo brings by itself, this is for information.
+    lists neither a system for another type of sensor nor all that Gazebo brings by itself, this is for information. So
+    it is with a robot that a launch file creates in a world of the project, if no description there lists the system.
     """
 
     code = "RES018"
@@ -40,7 +47,7 @@ class SensorWithoutSystem(Rule):
     Once a world lists any plugin, the ones that Gazebo loads by default (physics, user commands, scene
     broadcaster) have to be listed as well.
     """
-    looks_at = (World,)
+    looks_at = (World, Root)
     scaffold = SDF
 
     bad = (
@@ -50,25 +57,46 @@ class SensorWithoutSystem(Rule):
         ),
         Bad(WORLD.format(PHYSICS + IMU, '<sensor name="s" type="«altimeter»"/>')),
         Bad(WORLD.format(PHYSICS, '<sensor name="s" type="«imu»"/>')),
+        Bad(
+            ROBOT.format("«imu»"),
+            scaffold="{}",
+            file="robot.urdf",
+            files={"sim.launch.py": LAUNCH, "yard.sdf": YARD.format(SCREEN)},
+            says="no system of world `yard` in `yard.sdf`, in which `sim.launch.py` creates it, serves sensors of type",
+        ),
     )
     good = (
         Good(WORLD.format(PHYSICS + IMU, '<sensor name="s" type="imu"/>')),
+        Good(
+            ROBOT.format("imu"),
+            scaffold="{}",
+            file="robot.urdf",
+            files={"sim.launch.py": LAUNCH, "yard.sdf": YARD.format(SCREEN + IMU)},
+        ),
         Good(WORLD.format("", '<sensor name="s" type="imu"/>'), why="Gazebo brings its own list of systems"),
     )
 
     @staticmethod
-    def applies(world: World) -> bool:
-        return any(world.unserved_sensors)
+    def applies(part: World | Root) -> bool:
+        return any(part.unserved_sensors)
 
-    def check(self, world: World) -> Iterator[Diagnostic]:
+    def check(self, part: World | Root) -> Iterator[Diagnostic]:
         seen: set[str] = set()
-        severity = None if is_whole(world) else Severity.INFO
-        for sensor, systems in world.unserved_sensors:
+        severity = Severity.INFO if isinstance(part, World) and not is_whole(part) else None
+        where = part.title if isinstance(part, World) else launched(part)
+        for sensor, systems in part.unserved_sensors:
             if sensor.type not in seen and sensor.type_value is not None:
                 seen.add(sensor.type)
-                what = f"no system of {world.title} serves sensors of type `{sensor.type}`"
+                what = f"no system of {where} serves sensors of type `{sensor.type}`"
                 message = f"{what}: {named(systems, 'or')} is missing"
                 yield self.diagnostic(sensor.type_value, message, severity=severity)
+
+
+def launched(root: Root) -> str:
+    """The world in which a robot is created, in words."""
+    world = root.launched_world
+    assert world is not None
+    return f"world `{world.name}` in `{world.file}`, in which `{world.span.source.path.name}` creates it,"
 
 
 def is_whole(world: World) -> bool:

@@ -19,10 +19,11 @@ def bridge(entry: str) -> dict[str, str]:
 
 
 class UnbridgedTopic(Rule):
-    """A bridge to ROS carries a topic that nobody has, and none carries that of the sensor or system that was meant.
+    """A bridge to ROS carries a topic that nobody has, or in the wrong direction, and not that which was meant.
 
     `ros_gz_bridge` compares names of topics and waits for those that are not there: it says nothing, the topic in ROS
-    is listed, and stays empty. Looked at are the YAML and launch files of the project. Nothing is said where a launch
+    is listed, and stays empty. One that goes in the wrong direction alone, `[` or `GZ_TO_ROS` for commands, leaves the
+    robot without them. Looked at are the YAML and launch files of the project. Nothing is said where a launch
     file computes a topic for messages of that type, where a topic comes from an expression of xacro, and where another
     description of the project may have the topic.
     """
@@ -30,8 +31,9 @@ class UnbridgedTopic(Rule):
     code = "RES030"
     name = "unbridged-topic"
     severity = Severity.WARNING
-    remedy = """Write one topic in both files.
+    remedy = """Write one topic in both files, and the direction in which the messages go.
 
+    In arguments of `parameter_bridge` `[` is from Gazebo to ROS, `]` to Gazebo, and `@` both.
     `gz topic -l` lists the topics of a simulation that runs. A sensor without `<topic>` publishes on
     `/world/W/model/M/link/L/sensor/S/scan` or the like, where the link is the one that fixed joints of URDF
     are merged into, and a drive listens to `/model/M/cmd_vel`.
@@ -69,6 +71,12 @@ class UnbridgedTopic(Rule):
             files={"launch/sim.launch.py": LAUNCH.replace("/cmd_vel", "/model/r/cmd_vel")},
             says="listens to `cmd_vel`, and `sim.launch.py` takes `model/r/cmd_vel` to Gazebo, to which nobody listens",
         ),
+        Bad(
+            DRIVE.format("plugin", "<topic>«cmd_vel»</topic>"),
+            scaffold=IN_ROBOT,
+            files={"launch/sim.launch.py": LAUNCH.replace("]", "[", 1)},
+            says="listens to `cmd_vel`, and `sim.launch.py` takes that from Gazebo to ROS alone",
+        ),
     )
     good = (
         Good(SENSOR.format(""), files=bridge(MADE.format("a"))),
@@ -95,6 +103,12 @@ class UnbridgedTopic(Rule):
             scaffold=IN_ROBOT,
             files={"launch/sim.launch.py": LAUNCH},
         ),
+        Good(
+            DRIVE.format("plugin", "<topic>cmd_vel</topic>"),
+            scaffold=IN_ROBOT,
+            files={"launch/sim.launch.py": LAUNCH.replace("]", "@", 1)},
+            why="in both directions",
+        ),
     )
 
     @staticmethod
@@ -114,4 +128,7 @@ class UnbridgedTopic(Rule):
             )
             file, topic = gap.bridged.span.source.path.name, gap.bridged.topic
             message = f"{gap.part.title} {own}, and `{file}` takes `{topic}` {end}"
+            if gap.is_backwards:
+                way = "from Gazebo to ROS" if gap.is_command else "from ROS to Gazebo"
+                message = f"{gap.part.title} {verb} `{topic}`, and `{file}` takes that {way} alone"
             yield self.diagnostic(gap.value or gap.part, message, labels={gap.bridged.span: "taken here"})

@@ -1,8 +1,22 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Consumer, Diagnostic, Good, Model, Plugin, Rule, Severity, Value, World
+from sdfcheck import (
+    IN_MODEL,
+    Bad,
+    Consumer,
+    Diagnostic,
+    Good,
+    Model,
+    Plugin,
+    Rule,
+    Severity,
+    Target,
+    Value,
+    World,
+)
 
 DETACHABLE = "gz-sim-detachable-joint-system"
+AUTOPILOTS, USUAL = "ArduPilotPlugin", "imu_sensor"
 ITSELF = "__model__"
 CARRIER = (
     '<sdf version="1.9"><world name="w"><model name="carrier"><link name="body"/><plugin'
@@ -38,7 +52,7 @@ class UnknownPluginPartner(Rule):
     `gz model -m NAME -l` and `-s` list the links and sensors of a model that runs.
     """
     looks_at = (Plugin,)
-    needs = ("<child_link", "<imuName")
+    needs = ("<child_link", "<imuName", "ArduPilotPlugin")
     scaffold = "{}"
 
     bad = (
@@ -59,6 +73,11 @@ class UnknownPluginPartner(Rule):
             scaffold=IN_MODEL,
             says="model `m` has no sensor `gyro`; there is `mast::imu`",
         ),
+        Bad(
+            AUTOPILOT.replace("<imuName>{}</imuName>", "").replace("plugin", "«plugin»", 1),
+            scaffold=IN_MODEL,
+            says="has no `imuName`, and model `m` no sensor `imu_sensor`, which it takes then; there is `mast::imu`",
+        ),
         Bad(AUTOPILOT.format("«tail::imu»"), scaffold=IN_MODEL, says="model `m` has no sensor `tail::imu`"),
         Bad(
             MERGED.format("«mast::imu»"),
@@ -73,6 +92,10 @@ class UnknownPluginPartner(Rule):
         Good(AUTOPILOT.format("imu"), scaffold=IN_MODEL, why="the name is enough"),
         Good(AUTOPILOT.format("m::mast::imu"), scaffold=IN_MODEL, why="as Gazebo Classic writes it"),
         Good(MERGED.format("hull::imu")),
+        Good(
+            AUTOPILOT.replace("<imuName>{}</imuName>", "").replace('name="imu"', 'name="imu_sensor"'),
+            scaffold=IN_MODEL,
+        ),
     )
 
     @staticmethod
@@ -84,12 +107,14 @@ class UnknownPluginPartner(Rule):
             yield self.diagnostic(value, message, meant=meant)
 
 
-def unknown(plugin: Plugin) -> Iterator[tuple[Value, str, str | None]]:
+def unknown(plugin: Plugin) -> Iterator[tuple[Target, str, str | None]]:
     """The names that lead nowhere, what is wrong with them, and the names that were probably meant."""
     model, sensor = plugin.within(Model), plugin.find("imuName")
     if model is None or plugin.known is None or plugin.known.file != DETACHABLE:
         if model is not None and sensor is not None:
             yield from unknown_sensor(sensor.own_value, model)
+        elif model is not None and plugin.filename.removeprefix("lib").partition(".")[0] == AUTOPILOTS:
+            yield from unnamed_sensor(plugin, model)
         return
     name, link, world = plugin.find("child_model"), plugin.find("child_link"), plugin.within(World)
     if name is None or link is None or "$" in name.content + link.content:
@@ -125,6 +150,15 @@ def unknown_sensor(value: Value, model: Model) -> Iterator[tuple[Value, str, str
     merged = " once its links are merged" if model.is_urdf and ends in written else ""
     message = f"{model.title} has no sensor `{name}`{merged}"
     yield value, message + (f"; there is `{found[0]}`" if len(found) == 1 else ""), None
+
+
+def unnamed_sensor(plugin: Plugin, model: Model) -> Iterator[tuple[Target, str, str | None]]:
+    """The plugin of ArduPilot that names no sensor, in a model without the one that it takes then."""
+    found = list(sensors_in(model)) if model.is_complete else []
+    if found and not any(each.endswith(f"::{USUAL}") for each in found):
+        there = f"; there is `{found[0]}`" if len(found) == 1 else ""
+        words = f"and {model.title} no sensor `{USUAL}`, which it takes then{there}"
+        yield plugin, f"{plugin.title} has no `imuName`, {words}", None
 
 
 def sensors_in(model: Model) -> Iterator[str]:

@@ -36,6 +36,11 @@ _GATHERED = re.compile(
     re.IGNORECASE,
 )
 """Words of a build that gathers folders without their names."""
+_GLOBBED = re.compile(
+    r"\*\*|\b(?:walk|listdir|scandir|iterdir|rglob|iglob|find_packages?_data|package_files|generate_data_files)\b|"
+    r"(?<!\bglob)\.glob\(|\bglob\((?!\s*(?:(?:os\.)?(?:path\.)?join\(\s*)?[rb]?[\"'][\w.])"
+)
+"""The same in ``setup.py``, where a pattern is taken for the folder that it begins with."""
 _GUARDED = re.compile(
     r"\b(?:if|foreach|while|add_custom_command|add_custom_target|configure_file|file|execute_process|include|macro|function)\s*\(",
     re.IGNORECASE,
@@ -427,7 +432,8 @@ def uninstalled(folder: str) -> tuple[str, str, str] | None:
     )
     text = _REMARK.sub("", _read(Path(around[0], build))) if build else ""
     is_named = re.search(rf"(?<![\w-]){re.escape(top)}(?![\w-])", text)
-    if top == os.curdir or not text or is_named or _GATHERED.search(text):
+    gathered = _GLOBBED if build == "setup.py" else _GATHERED
+    if top == os.curdir or not text or is_named or gathered.search(text):
         return None
     return around[1], top, build
 

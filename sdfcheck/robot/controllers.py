@@ -126,8 +126,9 @@ _CAR = Kind(
 _JOINTS = Kind(_GROUP, types="list: joints", names="joints interface_name")
 _SENSOR = Kind(sensor="sensor_name", types="text: sensor_name frame_id", names="sensor_name frame_id")
 _BROADCASTER = "joint_state_broadcaster/JointStateBroadcaster"
+_TRAJECTORIES = "joint_trajectory_controller/JointTrajectoryController"
 _KINDS: Mapping[str, Kind] = {
-    "joint_trajectory_controller/JointTrajectoryController": Kind(
+    _TRAJECTORIES: Kind(
         _GROUP, "command_interfaces", "state_interfaces", types=_TRAJECTORY, names=_FOR_TRAJECTORY
     ),
     "forward_command_controller/ForwardCommandController": Kind(
@@ -176,13 +177,28 @@ _OTHER_TYPES = (
     "state_interfaces_broadcaster/StateInterfacesBroadcaster"
 )
 """The controllers of ros2_controllers of which nothing but the type is known."""
+_NEEDED: Mapping[str, str] = {
+    _TRAJECTORIES: "joints command_interfaces state_interfaces",
+    "forward_command_controller/ForwardCommandController": "joints interface_name",
+    "position_controllers/JointGroupPositionController": "joints",
+    "velocity_controllers/JointGroupVelocityController": "joints",
+    "effort_controllers/JointGroupEffortController": "joints",
+    "diff_drive_controller/DiffDriveController": "left_wheel_names right_wheel_names wheel_separation wheel_radius",
+    "tricycle_controller/TricycleController": "wheelbase wheel_radius",
+    "position_controllers/GripperActionController": "joint",
+    "effort_controllers/GripperActionController": "joint",
+    "parallel_gripper_action_controller/GripperActionController": "joint",
+    "imu_sensor_broadcaster/IMUSensorBroadcaster": "sensor_name frame_id",
+}
+"""A type of controllers → the parameters without which one does not start, or does not move its joints."""
+_GAINS = ("p", "i", "d", "ff_velocity_scale")
 _FORMER_PACKAGES = {
     "force_torque_sensor_controller": "force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster",
     "imu_sensor_controller": "imu_sensor_broadcaster/IMUSensorBroadcaster",
     "joint_state_controller": _BROADCASTER,
 }
 """Packages of ROS 1 that ROS 2 has under another name, with the types there."""
-_FORMER_TYPES = {"JointTrajectoryController": "joint_trajectory_controller/JointTrajectoryController"}
+_FORMER_TYPES = {"JointTrajectoryController": _TRAJECTORIES}
 """Controllers of ROS 1 that were in several packages, with their types in ROS 2."""
 _TYPES = (*_KINDS, *_OTHER_TYPES.split())
 _OWN_JOINTS = "command_joints"
@@ -265,6 +281,19 @@ class Misspelled(NamedTuple):
     span: Span
 
 
+class Lacking(NamedTuple):
+    """A parameter that a controller cannot do without and does not get; its place is that of the controller's name.
+
+    ``joint``: for which there are no gains; empty for another parameter.
+    """
+
+    owner: str
+    kind: str
+    name: str
+    joint: str
+    span: Span
+
+
 class Unreached(NamedTuple):
     """A controller without parameters, or the controller manager itself.
 
@@ -297,6 +326,7 @@ class ControllerFile(NamedTuple):
     """The controller that publishes the states of all joints."""
     mistyped: tuple[Mistyped, ...] = ()
     misspelled: tuple[Misspelled, ...] = ()
+    lacking: tuple[Lacking, ...] = ()
     untyped: tuple[Parameter, ...] = ()
     """The names of nodes with the parameters of a controller, of which no type is declared."""
     unreached: tuple[Unreached, ...] = ()
@@ -361,6 +391,9 @@ def _controllers(source: Source) -> ControllerFile:
     )
     unreached = () if "**" in nodes else tuple(_unreached(source, paths, nodes, found))
     strays = {each.stray.rpartition("/")[2] for each in unreached} | ({*nodes} if "**" in nodes else set())
+    misspelled = tuple(_misspelled(source, nodes, declared))
+    meant = {(each.owner, each.meant) for each in misspelled}
+    lacking = _lacking(source, paths, declared)
     key = paths.get(_MANAGER)
     is_alone = key is not None and "**" not in paths and not any("/" in path for path in paths)
     return ControllerFile(
@@ -369,7 +402,8 @@ def _controllers(source: Source) -> ControllerFile:
         tuple(filter(None, (_carried(source, name, kind, each) for name, kind, each in known))),
         next((name for name, declared in types.items() if _is_broadcaster(declared)), ""),
         tuple(_mistyped(source, [(_MANAGER, _FOR_MANAGER, nodes.get(_MANAGER)), *known])),
-        tuple(_misspelled(source, nodes, declared)),
+        misspelled,
+        tuple(each for each in lacking if (each.owner, each.name) not in meant and "**" not in nodes),
         tuple(
             each
             for each in _untyped(source, paths, declared)
@@ -518,6 +552,42 @@ def _misspelled(
             if name not in names and (meant := suggest(name, left, effort)) is not None:
                 word = declared[owner][0].value.rpartition("/")[2]
                 yield Misspelled(owner, word, name, meant, span_of(source, key))
+
+
+def _lacking(
+    source: Source, paths: Mapping[str, Any], declared: Mapping[str, Sequence[Any]]
+) -> Iterator[Lacking]:
+    """The first parameter that each controller lacks, as far as it has parameters at all."""
+    for path, (key, parameters) in paths.items():
+        owner = path.rpartition("/")[2]
+        types = declared[owner]
+        needed = _NEEDED.get(types[0].value, "") if types else ""
+        given = {each for each, _ in pairs(parameters)}
+        if not needed or "<<" in given or not given - {"type"}:
+            continue
+        kind, span = types[0].value.rpartition("/")[2], span_of(source, key)
+        missing = next((name for name in needed.split() if name not in given), None)
+        if missing is not None:
+            yield Lacking(owner, kind, missing, "", span)
+        elif types[0].value == _TRAJECTORIES and (joint := _without_gains(parameters)):
+            yield Lacking(owner, kind, "gains", joint, span)
+
+
+def _without_gains(parameters: Any) -> str:
+    """The first joint of a controller whose commands come of gains, and that has none; else empty."""
+    commands = [each.value for each in _texts(_get(parameters, "command_interfaces"))]
+    if commands not in (["velocity"], ["effort"]) or _is(parameters, "open_loop_control", "true"):
+        return ""
+    joints, gains = _scalars(_get(parameters, "joints")), dict(pairs(_get(parameters, "gains")))
+    if any(UNKNOWN.search(name) for name in gains) or any(UNKNOWN.search(each.value) for each in joints):
+        return ""
+    return next((each.value for each in joints if not _is_gained(gains.get(each.value))), "")
+
+
+def _is_gained(gains: Any) -> bool:
+    """Is one of the gains of a joint another one than 0?"""
+    texts = [each.value for name in _GAINS for each in _scalars(_get(gains, name))]
+    return "<<" in dict(pairs(gains)) or any(text.strip("+-0.") for text in texts)
 
 
 def _strange(source: Source, declared: Mapping[str, Sequence[Any]]) -> Iterator[Misspelled]:

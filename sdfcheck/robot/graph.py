@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from sdfcheck.robot.controllers import (
         ControllerFile,
         ControllerNeed,
+        Lacking,
         Misspelled,
         Mistyped,
         Parameter,
@@ -3374,6 +3375,16 @@ class Model(Scope):
     def misspelled_parameters(self) -> Iterator[tuple[Plugin, Misspelled]]:
         """The parameters that a controller does not read, each with the plugin as above, and what was meant."""
         return ((plugin, each) for plugin in self.control_plugins for each in plugin.controllers.misspelled)
+
+    @property
+    def lacking_parameters(self) -> Iterator[tuple[Plugin, Lacking]]:
+        """The parameters that a controller cannot do without, each with the plugin as above."""
+        return (
+            (plugin, each)
+            for plugin in self.control_plugins
+            if len(list(plugin.children("parameters"))) == 1
+            for each in plugin.controllers.lacking
+        )
 
     @property
     def strange_controllers(self) -> Iterator[tuple[Plugin, Misspelled]]:

@@ -51,9 +51,10 @@ if TYPE_CHECKING:
     from sdfcheck.robot.controllers import Parameter
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.ros_files import BaseFrame, BridgeFault, BridgeGap
+    from sdfcheck.robot.ros_files import BaseFrame, BridgeFault, BridgeGap, LaunchedWorld
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
+    from sdfcheck.xacro.static.launches import LaunchFault
 
 
 # Which class an element becomes, by its name and by what it is in.
@@ -263,6 +264,15 @@ class Root(Whole):
         """The actors that are in no world."""
         return tuple(self._parts("actor"))
 
+    @lazy
+    def launch_fault(self) -> LaunchFault | None:
+        """The first place where a launch file of its project does not get what it expands to."""
+        if self.document.path.suffix != ".xacro" or not any(model.links for model in self.models):
+            return None
+        from sdfcheck.xacro.static.launches import launch_fault
+
+        return launch_fault(self.document)
+
     @property
     def is_launched_as_text(self) -> bool:
         """Do the launch files of the project take what it expands to for text, not for YAML?"""
@@ -371,6 +381,71 @@ class Root(Whole):
         from sdfcheck.robot.ros_files import lost_states
 
         return lost_states(self.document)
+
+    @lazy
+    def is_shown_alone(self) -> bool:
+        """Is showing it in RViz all that the launch files of its project do?"""
+        from sdfcheck.robot.ros_files import is_shown_alone
+
+        return is_shown_alone(self.document)
+
+    @lazy
+    def unstarted_broadcasters(self) -> tuple[tuple[Plugin, str], ...]:
+        """The controllers for states of joints that no launch file starts, each with the plugin of their file."""
+        found = [
+            (plugin, file.broadcaster, {need.controller for need in file.needs})
+            for model in self.models
+            for plugin in model.control_plugins
+            if (file := plugin.controllers).broadcaster
+        ]
+        if not found:
+            return ()
+        from sdfcheck.robot.ros_files import unstarted_broadcaster
+
+        return tuple(
+            (one, name) for one, name, others in found if unstarted_broadcaster(self.document, name, others)
+        )
+
+    @lazy
+    def has_other_states(self) -> bool:
+        """May a node that its project starts publish states of joints, or make no transforms of them at all?"""
+        from sdfcheck.robot.ros_files import has_other_states
+
+        return has_other_states(self.document)
+
+    @lazy
+    def launched_world(self) -> LaunchedWorld | None:
+        """The world of its project in which a launch file creates it, if that is known."""
+        if not any(model.links for model in self.models):
+            return None
+        from sdfcheck.robot.ros_files import launched_world
+
+        return launched_world(self.document)
+
+    @lazy
+    def unbridged_clock(self) -> Span | None:
+        """Where a launch file takes the time of Gazebo for the robot, which no bridge of its project carries."""
+        if not any(model.links for model in self.models):
+            return None
+        from sdfcheck.robot.ros_files import unbridged_clock
+
+        return unbridged_clock(self.document)
+
+    @lazy
+    def unserved_sensors(self) -> tuple[tuple[Sensor, tuple[str, ...]], ...]:
+        """The sensors of a robot that need a system which the world does not list in which it is created."""
+        if not self.elements.get("sensor") or self.worlds or self.launched_world is None:
+            return ()
+        if "physics" not in self.launched_world.systems:
+            return ()
+        from sdfcheck.formats.plugins import served
+        from sdfcheck.robot.ros_files import is_served
+
+        needs = served()
+        sensors = [each for each in self.each(Sensor) if each.type in needs]
+        return tuple(
+            (each, needs[each.type]) for each in sensors if not is_served(self.document, needs[each.type])
+        )
 
     @lazy
     def bridge_faults(self) -> tuple[BridgeFault, ...]:

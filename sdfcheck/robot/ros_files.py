@@ -165,6 +165,8 @@ class BridgeGap(NamedTuple):
     bridged: Bridged
     names: str
     """Those of link and sensor in a topic that Gazebo makes of them, where a bridge has others; else empty."""
+    is_backwards: bool = False
+    """Is it the right topic, carried in the wrong direction alone?"""
 
     @property
     def is_command(self) -> bool:
@@ -434,7 +436,11 @@ class _End(NamedTuple):
 
     def takes(self, carried: Bridged) -> bool:
         """Is it what a bridge carries?"""
-        if carried.message not in self.messages or not carried.goes(self.way):
+        return carried.goes(self.way) and self.is_of(carried)
+
+    def is_of(self, carried: Bridged) -> bool:
+        """Has it the topic that a bridge carries, in one direction or the other?"""
+        if carried.message not in self.messages:
             return False
         if self.usual:
             return self.usual in f"/{carried.topic}/" and _is_made(carried.topic)
@@ -488,6 +494,19 @@ def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin
     lacking = [(end, _lacking(end, ends, bridges.carried, open_types)) for end in ends]
     for each in bridges.carried:
         if each.message in open_types or any(end.takes(each) for end in ends):
+            continue
+        if (backwards := next((end for end in ends if end.is_of(each)), None)) is not None:
+            if not any(map(backwards.takes, bridges.carried)):
+                yield BridgeGap(
+                    backwards.part,
+                    each.message,
+                    backwards.parameter,
+                    each.topic,
+                    backwards.value,
+                    each,
+                    "",
+                    True,
+                )
             continue
         meant = [one for one in lacking if each.message in one[1] and one[0].may_be_meant_by(each)]
         if meant and not bridges.is_said(each.topic, own):
@@ -648,6 +667,157 @@ def second_manager(document: Document) -> Span | None:
     return next((span for span, words in managers if document.path.name in words), None)
 
 
+# Worlds in which launch files start robots.
+
+_NEW_GAZEBO = re.compile(r"\bros_(?:gz|ign)_(?:sim|gazebo)\b")
+_CREATED = re.compile(r"(?:executable|exec)\s*=\s*[\"']create[\"']")
+_INTO = re.compile(r"[\"']-world[\"']\s*,\s*[\"'](\w{1,100})[\"']")
+_WORLDS = (".sdf", ".world")
+_WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s{0,20}=\s{0,20}[\"']([^\"'<>]{1,100})[\"']")
+_SUPPORT = re.compile(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
+"""Words of a world in which something may be there to stand on, or of which not all is known."""
+_SYSTEM = re.compile(r"\b(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
+_TIME = "use_sim_time"
+_TIMED = re.compile(
+    r"use_sim_time[\"']?\s{0,20}(?:[:,=]|value\s{0,20}=)\s{0,20}(?:\(\s{0,20})?[\"']?[Tt]rue\b"
+)
+_CLOCK = re.compile(r"clock", re.IGNORECASE)
+_SHARE = re.compile(
+    r"(?:get_package_share_(?:directory|path)|FindPackageShare)\(\s*(?:package\s*=\s*)?([\"']?\w+)|"
+    r"\$\(find-pkg-share\s+(\w+)"
+)
+_GIVEN = re.compile(r"\b(\w{1,100})\s{0,20}=\s{0,20}[\"'](\w{1,100})[\"']")
+_CLOCKLESS = frozenset(("ros_gz_sim", "ros_ign_gazebo", "slam_toolbox", "nav2_bringup", "robot_localization"))
+"""Packages whose launch files start no bridge for the clock."""
+
+
+class LaunchedWorld(NamedTuple):
+    """The world in which a launch file creates a robot, by the name of its file and its own."""
+
+    file: str
+    name: str
+    systems: frozenset[str]
+    """The systems of Gazebo that it lists, by what is special in the names of their files, such as ``physics``."""
+    is_bare: bool
+    """Is nothing in it static, as far as all of it is known?"""
+    span: Span
+    """The place in the launch file where the robot is created."""
+    wanted: str
+    """The name of the world in which it is to be created; empty for the one that runs."""
+
+
+class _Simulations:
+    """The launch files of a project that start the new Gazebo, with their words and those of what they include."""
+
+    def __init__(self, packages: Packages) -> None:
+        said: dict[str, frozenset[str]] = {}
+        found: list[tuple[Path, str, frozenset[str]]] = []
+        for path, text in launch_texts(packages):
+            bare = _REMARK.sub(lambda match: " " * len(match[0]), text)
+            words = frozenset(_NAMES.findall(bare))
+            said[path.name] = words if path.name not in said else frozenset()
+            if _NEW_GAZEBO.search(bare) and len(found) < _MOST_FILES:
+                found.append((path, bare, words))
+        self.launches = [
+            (
+                Source(path, bare, is_foreign=True),
+                words.union(*(said[name] for name in words if name in said)),
+            )
+            for path, bare, words in found
+        ]
+        self.creations = [each for source, words in self.launches for each in _creations(source, words)]
+        self.worlds: dict[str, str] = {}
+        """Name of a file → the text of the world in it; empty where two files have the name."""
+        self.systems: frozenset[str] = frozenset()
+        """The systems that any description of the project lists."""
+        if self.launches:
+            texts = _texts(packages, (*_DESCRIPTIONS, ".erb")) or {}
+            for path, text in texts.items():
+                if path.suffix in _WORLDS and "<world" in text:
+                    self.worlds[path.name] = "" if path.name in self.worlds else _REMARK.sub("", text)
+            self.systems = frozenset(name for text in texts.values() for name in _SYSTEM.findall(text))
+        self.timed = self._timed(packages)
+
+    def _timed(self, packages: Packages) -> tuple[Span, frozenset[str]] | None:
+        """Where nodes are given the time of Gazebo, and the words there, if nothing in the project has a clock."""
+        found = next(
+            (
+                (Span(source, match.start(), match.start() + len(_TIME)), words)
+                for source, words in self.launches
+                if (match := _TIMED.search(source.text)) is not None and _is_clockless(source.text, packages)
+            ),
+            None,
+        )
+        texts = _texts(packages, (*_PROGRAMS, ".yaml", ".yml")) if found is not None else None
+        if texts is None or any(_CLOCK.search(_REMARK.sub("", text)) for text in texts.values()):
+            return None
+        return found
+
+
+def _is_clockless(text: str, packages: Packages) -> bool:
+    """Does a launch file include none of a package that may start a bridge for the clock?"""
+    if "nclude" not in text:
+        return True
+    given = dict(_GIVEN.findall(text))
+    names = {
+        given.get(quoted, "") if quoted and quoted[0] not in "\"'" else quoted.strip("\"'") or plain
+        for quoted, plain in _SHARE.findall(text)
+    }
+    return all(packages.find(name) is not None for name in names - _CLOCKLESS)
+
+
+def unbridged_clock(document: Document) -> Span | None:
+    """Where a launch file that names a robot takes the time of Gazebo, which no bridge of the project carries."""
+    library = library_of(document)
+    timed = library.of_project(document.path, _Simulations).timed if library is not None else None
+    if library is None or timed is None or document.path.name not in timed[1]:
+        return None
+    bridges = library.of_project(document.path, _Bridges)
+    return timed[0] if bridges.carried and "" not in bridges.unknown else None
+
+
+def is_served(document: Document, systems: Collection[str]) -> bool:
+    """Does a description of the project list one of some systems of Gazebo, by their files?"""
+    library = library_of(document)
+    listed = library.of_project(document.path, _Simulations).systems if library is not None else ()
+    return any(f"gz-sim-{name}-system" in systems for name in listed)
+
+
+class _Creation(NamedTuple):
+    """The only place in a launch file where a robot is created, the words there, and the world if it is named."""
+
+    span: Span
+    words: frozenset[str]
+    files: frozenset[str]
+    """The words that may be files of worlds."""
+    wanted: str
+
+
+def _creations(source: Source, words: frozenset[str]) -> Iterator[_Creation]:
+    """The place where a launch file creates a robot, if it is the only one."""
+    created = list(islice(_CREATED.finditer(source.text), 2))
+    if len(created) == 1:
+        into = set(_INTO.findall(source.text))
+        files = frozenset(word for word in words if word.endswith(_WORLDS))
+        span = Span(source, created[0].start(), created[0].end())
+        yield _Creation(span, words, files, into.pop() if len(into) == 1 else "")
+
+
+def launched_world(document: Document) -> LaunchedWorld | None:
+    """The world of the project in which a launch file creates the robot of a document, if it is the only one there."""
+    library, name = library_of(document), document.path.name
+    if library is None:
+        return None
+    simulations = library.of_project(document.path, _Simulations)
+    for span, words, files, wanted in simulations.creations:
+        others = files - {name} if name in words else ()
+        text = simulations.worlds.get(next(iter(others)), "") if len(others) == 1 else ""
+        if len(names := _WORLD.findall(text)) == 1:
+            systems, is_bare = frozenset(_SYSTEM.findall(text)), _SUPPORT.search(text) is None
+            return LaunchedWorld(next(iter(others)), names[0], systems, is_bare, span, wanted)
+    return None
+
+
 # States of joints.
 
 _STATES = re.compile(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|ros2?_control", re.IGNORECASE)
@@ -655,6 +825,11 @@ _STATES = re.compile(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|r
 _BRIDGE = re.compile(r"^.*_topic_name.*$|(?<![\w/])[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
 """Entries of a bridge, which carries the states of others."""
 _TRANSFORMER = "robot_state_publisher"
+_NODE = re.compile(r"\b(?:package|pkg)\s*=\s*[\"']?(\w+)")
+_PUBLISHERS = re.compile(r"joint_state_(?:publisher|broadcaster|controller)|ros2?_control")
+_IMPORT = re.compile(r"^(?:from|import)\b.*$", re.MULTILINE)
+_VIEWERS = frozenset((_TRANSFORMER, "rviz", "rviz2", "tf2_ros"))
+"""Packages of nodes that show a robot, and have no states of joints."""
 
 
 class _States:
@@ -662,7 +837,13 @@ class _States:
 
     def __init__(self, packages: Packages) -> None:
         self.started: Span | None = None
+        self.is_shown = False
+        """Is the robot shown by RViz, and does no launch file start a node of which that is not known?"""
         launches = {path: _without_bridges(text) for path, text in launch_texts(packages)}
+        self.is_left_to_gazebo = any(_TRANSFORMER in text for text in launches.values()) and not any(
+            map(_PUBLISHERS.search, launches.values())
+        )
+        """Are transforms made of states that no node publishes which a launch file starts?"""
         started = next((path for path, text in launches.items() if _TRANSFORMER in text), None)
         if started is None or any(map(_STATES.search, launches.values())):
             return
@@ -672,6 +853,15 @@ class _States:
         start = launches[started].index(_TRANSFORMER)
         source = Source(started, launches[started], is_foreign=True)
         self.started = Span(source, start, start + len(_TRANSFORMER))
+        nodes = {name for text in launches.values() for name in _NODE.findall(text)}
+        is_alone = nodes <= _VIEWERS and not any(
+            "nclude" in _without_imports(text) for text in launches.values()
+        )
+        self.is_shown = is_alone and not nodes.isdisjoint(("rviz", "rviz2"))
+
+
+def _without_imports(text: str) -> str:
+    return _IMPORT.sub("", text)
 
 
 def _without_bridges(text: str) -> str:
@@ -688,6 +878,27 @@ def lost_states(document: Document) -> Span | None:
     if library is None or _STATES.search(_without_bridges(document.source.text)) is not None:
         return None
     return library.of_project(document.path, _States).started
+
+
+def is_shown_alone(document: Document) -> bool:
+    """Is all that the launch files of a project do to show a robot in RViz?"""
+    library = library_of(document)
+    return library is not None and library.of_project(document.path, _States).is_shown
+
+
+def unstarted_broadcaster(document: Document, broadcaster: str, others: Collection[str]) -> bool:
+    """Do launch files start other controllers of a file of parameters, and not the one that publishes states?"""
+    library = library_of(document)
+    started = library.of_project(document.path, _Started) if library is not None else None
+    if started is None or started.is_open or broadcaster in started.words:
+        return False
+    return not started.words.isdisjoint(others) and "spawner" in started.words
+
+
+def has_other_states(document: Document) -> bool:
+    """May a node that the project starts publish states of joints, or make no transforms of them at all?"""
+    library = library_of(document)
+    return library is None or not library.of_project(document.path, _States).is_left_to_gazebo
 
 
 # Parameters that YAML does not take.

@@ -93,8 +93,8 @@ class Semantics:
         self.namesake: Model | None = None
         self.has_kinematics = False
         """Has its package the solvers of MoveIt's groups? Others read SRDF too, Pinocchio only poses of joints."""
-        self.chained: frozenset[str] = frozenset()
-        """The groups whose solver is that of KDL, which solves chains."""
+        self.chained: Mapping[str, bool] = {}
+        """The groups whose solver is that of KDL, which solves chains, and whether it looks at positions alone."""
         self.beside: Mapping[str, Path] = {}
         """The files of MoveIt's parameters in its package of ROS 2, by name, if it is the only SRDF file there."""
 
@@ -189,6 +189,19 @@ class Semantics:
                 if other != joint.name:
                     yield value, other, joint.name
                     break
+
+    @property
+    def short_chains(self) -> Iterator[tuple[Value, int]]:
+        """The groups that are solved as arms for places and directions, and have too few joints for both."""
+        branched = {value.text.strip() for value, _, _ in self.branched_chains}
+        for name, is_for_places in self.chained.items():
+            value = self.groups[name].attribute("name") if name in self.groups else None
+            if value is None or is_for_places or name in branched or name not in self.links_of:
+                continue
+            joints = [each for each in self.robots[0].joints if each.child_name in self.links_of[name]]
+            moved = [each for each in joints if _is_driven(each)]
+            if _SHORTEST <= len(moved) < _WHOLE and all(each.type in _PLAIN for each in moved):
+                yield value, len(moved)
 
     @lazy
     def parameters(self) -> MoveItFiles:
@@ -638,6 +651,11 @@ def _has_acceleration(joint: Joint) -> bool:
     return any(limit.attribute("acceleration") is not None for limit in joint.element.children("limit"))
 
 
+_SHORTEST, _WHOLE = 3, 6
+"""Joints of an arm, and those that it takes to reach a place in any direction."""
+_PLAIN = frozenset(("continuous", "prismatic", "revolute"))
+
+
 def _is_driven(joint: Joint) -> bool:
     """Does it move, and follow no other joint?"""
     return joint.type != "fixed" and not (joint.axis_count == 1 and joint.axis.mimic is not None)
@@ -838,20 +856,23 @@ def _beside(path: Path, own: Packages, files: Sequence[Path]) -> Mapping[str, Pa
     return {name: found[0] for name, found in named.items() if len(found) == 1}
 
 
-def _chained(solvers: Sequence[Path]) -> frozenset[str]:
-    """The groups for which MoveIt's only file of solvers names that of KDL."""
+def _chained(solvers: Sequence[Path]) -> Mapping[str, bool]:
+    """The groups for which MoveIt's only file of solvers names that of KDL, and whether it is for positions alone."""
     try:
         text = read_regular(solvers[0]).decode("utf-8", "replace") if len(solvers) == 1 else ""
     except OSError:
-        return frozenset()
-    group, found = "", set()
+        return {}
+    group, found = "", dict[str, bool]()
+    places = set()
     for line in text.splitlines():
         key, colon, value = (part.strip() for part in line.partition("#")[0].partition(":"))
         if key == "kinematics_solver" and value.strip("\"'") == _FOR_CHAINS:
-            found.add(group)
+            found[group] = False
+        elif key == "position_only_ik" and value.strip("\"'").lower() == "true":
+            places.add(group)
         elif colon and not value:
             group = key.strip("\"'")
-    return frozenset(found)
+    return {name: name in places for name in found}
 
 
 def _extended(semantics: Semantics, meant: Model, own: Packages, expand: Expand | None) -> tuple[Model, ...]:

@@ -209,6 +209,7 @@ WHEEL_CONTROL = "".join(
 WHEELED = """drive: {{ros__parameters: {{type: diff_drive_controller/DiffDriveController,
   left_wheel_names: [left_joint], right_wheel_names: [right_joint], {}}}}}
 """
+MEASURED = "wheel_separation: 0.3, wheel_radius: 0.07"
 PLANNED: dict[str, str | bytes] = {
     "package.xml": "<package format='3'><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
     "joint_limits.yaml": "joint_limits:\n  shoulder: {has_acceleration_limits: true, max_acceleration: 1.0}\n",
@@ -222,7 +223,7 @@ BRIDGED = "gz_topic_name: {}, ros_topic_name: {}, ros_type_name: sensor_msgs/msg
 BUILD = "project(bot)\nfind_package(ament_cmake REQUIRED)\ninstall(DIRECTORY {} DESTINATION share/${{PROJECT_NAME}})\n"
 LAUNCH = (
     'share = get_package_share_directory("bot")\nmodel = os.path.join(share, "urdf", "bot.urdf")\n'
-    'Node(package="controller_manager", executable="spawner", arguments=["arm"])\n'
+    'Node(package="controller_manager", executable="spawner", arguments=["arm", "states"])\n'
 )
 MOVEIT_SENT = (
     "moveit_simple_controller_manager:\n  controller_names: [arm_controller]\n  arm_controller: {{{} type: "
@@ -267,6 +268,17 @@ SIMULATED = (
     'Node(package="robot_state_publisher", executable="robot_state_publisher")\n'
     'Node(package="ros_gz_sim", executable="create")\n'
 )
+IN_WORLD = SIMULATED + 'gz = {"gz_args": "-r yard.sdf"}\n'
+COMMANDED = '<plugin filename="gz-sim-user-commands-system" name="gz::sim::systems::UserCommands"/>\n'
+SYSTEMS = (
+    '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>\n'
+    f'{COMMANDED}<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>\n'
+)
+PAN = (
+    f'<link name="head">{MASS}</link>\n<joint name="pan" type="continuous"><parent link="body"/><child link="head"/>'
+    '<origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>\n'
+)
+INERTIAL_AT = CART.count("\n") + 4
 CALVES = "".join(
     f'<link name="{side}_calf">{MASS.replace("0.01", "0.002")}\n'
     '<visual><geometry><mesh filename="package://bot/meshes/calf.stl"/></geometry></visual>\n'
@@ -1827,7 +1839,7 @@ PROBLEMS = {
         "position",
         files={
             "c.yaml": "arm: {ros__parameters: {type: joint_trajectory_controller/JointTrajectoryController,"
-            " joints: [shoulder], command_interfaces: [position]}}\n"
+            " joints: [shoulder], command_interfaces: [position], state_interfaces: [position]}}\n"
         },
     ),
     "a controller reads what its joint does not measure": Problem(
@@ -1857,7 +1869,7 @@ PROBLEMS = {
         "0 -1 0",
         files={
             "c.yaml": "car: {ros__parameters: {type: tricycle_controller/TricycleController,"
-            " steering_joint_name: steer}}\n"
+            " steering_joint_name: steer, wheelbase: 0.3, wheel_radius: 0.07}}\n"
         },
     ),
     "a kingpin leans on one side": Problem(
@@ -1958,8 +1970,8 @@ PROBLEMS = {
         "wrong.yaml",
         "right.yaml",
         files={
-            "right.yaml": WHEELED.format("cmd_vel_timeout: 1.0"),
-            "wrong.yaml": WHEELED.format("cmd_vel_timeout: 1"),
+            "right.yaml": WHEELED.format(f"{MEASURED}, cmd_vel_timeout: 1.0"),
+            "wrong.yaml": WHEELED.format(f"{MEASURED}, cmd_vel_timeout: 1"),
         },
     ),
     "a drive is told ten times the distance of its wheels": Problem(
@@ -1968,8 +1980,8 @@ PROBLEMS = {
         "wrong.yaml",
         "right.yaml",
         files={
-            "right.yaml": WHEELED.format("wheel_separation: 0.3"),
-            "wrong.yaml": WHEELED.format("wheel_separation: 3.0"),
+            "right.yaml": WHEELED.format(MEASURED),
+            "wrong.yaml": WHEELED.format(MEASURED.replace("0.3", "3.0")),
         },
     ),
     "a drive is told that its right wheel is the left one": Problem(
@@ -1978,8 +1990,8 @@ PROBLEMS = {
         "wrong.yaml",
         "right.yaml",
         files={
-            "right.yaml": WHEELED.format("wheel_radius: 0.07"),
-            "wrong.yaml": WHEELED.format("")
+            "right.yaml": WHEELED.format(MEASURED),
+            "wrong.yaml": WHEELED.format(MEASURED)
             .replace("[left", "[@")
             .replace("[right", "[left")
             .replace("[@", "[right"),
@@ -1991,8 +2003,8 @@ PROBLEMS = {
         "wrong.yaml",
         "right.yaml",
         files={
-            "right.yaml": WHEELED.format("base_frame_id: base_link, enable_odom_tf: true"),
-            "wrong.yaml": WHEELED.format("base_frame_id: body, enable_odom_tf: true"),
+            "right.yaml": WHEELED.format(f"{MEASURED}, base_frame_id: base_link, enable_odom_tf: true"),
+            "wrong.yaml": WHEELED.format(f"{MEASURED}, base_frame_id: body, enable_odom_tf: true"),
         },
     ),
     "states are published, and no joint has one": Problem(
@@ -2012,8 +2024,8 @@ PROBLEMS = {
         "wrong.yaml",
         "right.yaml",
         files={
-            "right.yaml": WHEELED.format(""),
-            "wrong.yaml": WHEELED.format("").replace("[left_joint", "[left_joint, front_left_joint"),
+            "right.yaml": WHEELED.format(MEASURED),
+            "wrong.yaml": WHEELED.format(MEASURED).replace("[left_joint", "[left_joint, front_left_joint"),
         },
     ),
     "the start of a joint is beside its interfaces": Problem(
@@ -2262,6 +2274,178 @@ PROBLEMS = {
         ".urdf.xacro",
         {"start.yaml": "initial:\n  lift: 0.5\n"},
     ),
+    # Of launch files, and of the worlds in which they start robots
+    "a controller of velocities has no gains": beside(
+        "R2C049",
+        robot(ARM, ARM_CONTROL.replace("position", "velocity", 1), CONTROLLED),
+        "c.yaml",
+        "",
+        ", gains: {shoulder: {p: 5.0}}",
+        {
+            "c.yaml": TRAJECTORY.format("arm")
+            .replace("[position]", "[velocity]", 1)
+            .replace("]}}\n", "]@@}}\n")
+        },
+    ),
+    "a drive does not know how far its wheels are apart": beside(
+        "R2C049",
+        robot(CART, WHEEL_CONTROL, CONTROLLED),
+        "c.yaml",
+        "wheel_radius: 0.07",
+        "wheel_radius: 0.07, wheel_separation: 0.3",
+        {"c.yaml": WHEELED.format("@@")},
+    ),
+    "no bridge carries the clock": beside(
+        "RES032",
+        robot(CART, STATES_SENT, DRIVE),
+        "<robot",
+        "",
+        '"/clock@rosgraph_msgs/msg/Clock[gz.msgs.Clock", ',
+        {
+            "sim.launch.py": SIMULATED.replace(
+                'robot_state_publisher")', 'robot_state_publisher", parameters=[{"use_sim_time": True}])', 1
+            )
+            + 'Node(package="ros_gz_bridge", arguments=[@@'
+            '"/model/bot/odometry@nav_msgs/msg/Odometry[gz.msgs.Odometry"])\n'
+        },
+    ),
+    "the world of a robot has no system for its sensor": Problem(
+        "RES018",
+        robot(CART, INERTIAL_SENSOR, STATES_SENT, DRIVE),
+        "",
+        '<plugin filename="gz-sim-imu-system" name="gz::sim::systems::Imu"/>',
+        INERTIAL_AT,
+        files={"sim.launch.py": IN_WORLD, "yard.sdf": world(SYSTEMS, "@@", GROUND)},
+    ),
+    "a joint is not among those whose states are sent": Problem(
+        "RES031",
+        robot(CART, PAN, "@@", DRIVE),
+        STATES_SENT.replace(
+            "<topic>", "<joint_name>left_joint</joint_name><joint_name>right_joint</joint_name><topic>"
+        ),
+        STATES_SENT,
+        files={"sim.launch.py": SIMULATED},
+    ),
+    "the controller that sends the states is not started": beside(
+        "RES031",
+        robot(ARM, ARM_CONTROL, CONTROLLED),
+        "c.yaml",
+        '"arm"',
+        '"arm", "states"',
+        {
+            "c.yaml": TRAJECTORY.format("arm").replace(
+                "arm: {type", "states: {type: joint_state_broadcaster/JointStateBroadcaster},\n  arm: {type"
+            ),
+            "sim.launch.py": SIMULATED
+            + 'Node(package="controller_manager", executable="spawner", arguments=[@@])\n',
+        },
+    ),
+    "RViz shows a robot whose states nothing sends": beside(
+        "RES031",
+        robot(CART),
+        "<robot",
+        "",
+        'Node(package="joint_state_publisher_gui", executable="joint_state_publisher_gui")\n',
+        {
+            "view.launch.py": 'Node(package="robot_state_publisher", executable="robot_state_publisher")\n'
+            'Node(package="rviz2", executable="rviz2")\n@@'
+        },
+    ),
+    "a launch file joins xacro and the name of its file": in_xacro(
+        f'@@{PART}<xacro:part p="a"/>', "", "", "RES033"
+    )._replace(
+        text=robot(PART, '<xacro:part p="a"/>', more=f' name="bot"{XACRO}'),
+        wrong="xacro",
+        right="xacro ",
+        below=2,
+        files={"view.launch.py": 'Command(["@@", os.path.join(share, "bot.urdf.xacro")])\n'},
+    ),
+    "a launch file reads xacro as it is written": in_xacro("", "", "", "RES033")._replace(
+        text=robot(PART, '<xacro:part p="a"/>', more=f' name="bot"{XACRO}'),
+        wrong='open(os.path.join(share, "bot.urdf.xacro")).read()',
+        right='xacro.process_file(os.path.join(share, "bot.urdf.xacro")).toxml()',
+        below=2,
+        files={"view.launch.py": "description = @@\n"},
+    ),
+    "a package of Python installs no meshes": Problem(
+        "RES029",
+        robot(
+            f'<link name="a">{MASS}\n<visual>\n'
+            '<geometry><mesh filename="package://bot/meshes/a.stl"/></geometry></visual></link>'
+        ),
+        "",
+        '("share/bot/meshes", glob("meshes/*"))',
+        5,
+        files={
+            "meshes/a.stl": cube(),
+            "package.xml": "<package format='3'><name>bot</name><buildtool_depend>ament_python</buildtool_depend>"
+            "</package>",
+            "setup.py": "from glob import glob\nsetup(data_files=[('share/bot/urdf', glob('urdf/*.urdf')), @@])\n",
+        },
+    ),
+    "a robot is created where nothing is to stand on": Problem(
+        "GAZ014",
+        robot(CART, STATES_SENT, DRIVE),
+        "",
+        GROUND,
+        (robot(CART, STATES_SENT, DRIVE)).split("diff-drive")[0].count("\n") + 1,
+        files={"sim.launch.py": IN_WORLD, "yard.sdf": world(SYSTEMS, "@@")},
+    ),
+    "a world takes no robots": Problem(
+        "GAZ014",
+        robot(CART, STATES_SENT, DRIVE),
+        SYSTEMS.replace(COMMANDED, ""),
+        SYSTEMS,
+        2,
+        files={"sim.launch.py": IN_WORLD, "yard.sdf": world("@@", GROUND)},
+    ),
+    "a robot is created in a world of another name": Problem(
+        "RES023",
+        robot(CART, STATES_SENT, DRIVE),
+        "default",
+        "w",
+        2,
+        files={
+            "sim.launch.py": IN_WORLD.replace('"create"', '"create", arguments=["-world", "@@"]'),
+            "yard.sdf": world(SYSTEMS, GROUND),
+        },
+    ),
+    "commands are carried out of Gazebo": Problem(
+        "RES030",
+        GZ_DRIVEN.replace("<left_joint>", "<topic>cmd_vel</topic>\n<left_joint>"),
+        "[",
+        "]",
+        GZ_DRIVEN.split("<left_joint>")[0].count("\n") + 1,
+        files={
+            "sim.launch.py": 'Node(package="ros_gz_bridge", arguments=['
+            '"/cmd_vel@geometry_msgs/msg/Twist@@gz.msgs.Twist"])\n'
+        },
+    ),
+    "all limits of a robot are zero": Problem(
+        "JNT023",
+        robot(ARM, FINGER, WRIST.replace("@@", "0.06"))
+        .replace('lower="-1" upper="1"', '\nlower="0" upper="0"')
+        .replace('lower="0" upper="0.04"', 'lower="0" upper="@@"')
+        .replace('effort="10" velocity="2"', 'effort="0" velocity="0"')
+        .replace('effort="5" velocity="1"', 'effort="0" velocity="0"'),
+        "0",
+        "0.04",
+        -5,
+    ),
+    "a camera tells things apart that have no label": Problem(
+        "GAZ014",
+        world(
+            SYSTEMS.replace("user-commands", "sensors").replace("UserCommands", "Sensors"),
+            GROUND,
+            '<model name="eye"><static>true</static><link name="l">\n<sensor name="s" type="segmentation">'
+            "<topic>s</topic><camera><horizontal_fov>1</horizontal_fov></camera></sensor></link></model>\n"
+            f'<model name="box"><pose>3 0 0.05 0 0 0</pose><link name="l">{SDF_BODY}</link>@@</model>',
+        ),
+        "",
+        '<plugin filename="gz-sim-label-system" name="gz::sim::systems::Label"><label>1</label></plugin>',
+        -1,
+        ".sdf",
+    ),
     # Of a later set of threads.
     "the drive and a filter publish the odometry": Problem(
         "GAZ036",
@@ -2334,7 +2518,7 @@ PROBLEMS = {
         robot(CART.replace("0 1 0", "@@"), WHEEL_CONTROL, CONTROLLED),
         "0 -1 0",
         "0 1 0",
-        files={"c.yaml": WHEELED.format("wheel_separation: 0.3, wheel_radius: 0.07")},
+        files={"c.yaml": WHEELED.format(MEASURED)},
     ),
     "the wheels in front are larger": Problem(
         "GEO012",

@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from html import unescape
-from itertools import islice
+from itertools import accumulate, islice
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -24,6 +24,7 @@ from sdfcheck.files.packages import Packages, is_of_ros_1
 from sdfcheck.files.regular import read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import Source, Span
 from sdfcheck.xacro.language import LONGEST_CODE, syntax_tree
 
 _SUFFIXES = ("launch", "launch.xml", ".py")
@@ -63,7 +64,20 @@ _REFERENCE = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
 _PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
 _OTHER = re.compile(r"\$\((?!command\b)[^()]*\)")
 _STRING = re.compile(r"type\s*=\s*[\"']str")
+_REPLACED = r"<xacro:|\$\{|\$\("
+"""Something that xacro replaces."""
+_JOINED = re.compile(f"xacro[/{_UNKNOWN}]")
+_FORMER = "xacro.py"
+_EXPANDER = re.compile(r"\bxacro\.[a-z_]{1,30}\(")
 _GIVEN = re.compile(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
+
+
+class LaunchFault(NamedTuple):
+    """A place in a launch file where a file is not expanded as it is meant to be."""
+
+    kind: str
+    """``joined``: the name of xacro and the file are one word; ``read``: not by xacro; ``gone``: by ``xacro.py``."""
+    span: Span
 
 
 class _Use(NamedTuple):
@@ -73,6 +87,7 @@ class _Use(NamedTuple):
     arguments: Mapping[str, str]
     is_text: bool = True
     is_expanded: bool = True
+    fault: LaunchFault | None = None
 
 
 def launched_arguments(document: Document) -> tuple[Mapping[str, str], ...]:
@@ -97,6 +112,20 @@ def is_launched_as_text(document: Document) -> bool:
     """
     uses = _uses(document) or _uses(document, "")
     return is_of_ros_1(document.path) or (bool(uses) and all(each.is_text for each in uses))
+
+
+def launch_fault(document: Document) -> LaunchFault | None:
+    """The first place where a launch file of the project does not get what a document of xacro expands to.
+
+    A file that is opened may also be expanded by others, which then may be meant.
+    """
+    uses = _uses(document)
+    found = [use.fault for use in uses if use.fault is not None]
+    if not found or (
+        found[0].kind == "read" and (len(found) < len(uses) or not document.may_write(_REPLACED))
+    ):
+        return None
+    return found[0]
 
 
 def _uses(document: Document, name: str | None = None) -> list[_Use]:
@@ -169,9 +198,10 @@ class _Launches:
     def _read(self, path: Path, text: str) -> _Launch | None:
         if "xacro" not in text and "nclude" not in text and "open(" not in text:
             return None
+        source = Source(path, text, is_foreign=True)
         if path.suffix != ".py":
-            return _Xml(text, self._around, is_ros_1=path.suffix == ".launch")
-        return _Python.read(text, self._around)
+            return _Xml(source, self._around, is_ros_1=path.suffix == ".launch")
+        return _Python.read(source, self._around)
 
     def _uses(
         self, launch: _Launch, given: Mapping[str, str], by_name: Mapping[str, _Launch], depth: int
@@ -195,25 +225,28 @@ def _is_launch(path: Path) -> bool:
     return path.suffix != ".py" or path.name.endswith("launch.py") or path.parent.name == _FOLDER
 
 
-def _of_command(command: str, *, is_text: bool) -> Iterator[_Use]:
+def _of_command(command: str, *, is_text: bool, fault: LaunchFault | None = None) -> Iterator[_Use]:
     """The use in a command line: the file is the first word that ends as one, and arguments follow."""
     words = command.split()
     names = [word.strip("'\"()").rpartition("/")[2] for word in words if ":=" not in word]
     file = next((name for name in names if name.endswith((".xacro", ".urdf"))), "")
     if _UNKNOWN in file or (not file and words[:1] == ["xacro"]):
-        yield _Use("", {}, is_text)
+        yield _Use("", {}, is_text, fault=fault)
     elif file:
         given = ((name, value.strip("'\"")) for name, value in _GIVEN.findall(command))
         known = {name: value.rstrip(")'\"") for name, value in given if _UNKNOWN not in value}
-        yield _Use(file, known, is_text)
+        yield _Use(file, known, is_text, fault=fault)
 
 
 class _Xml:
     """A launch file in XML. In ROS 2 an included file knows all arguments, in ROS 1 those that it is given."""
 
-    __slots__ = ("_around", "_commands", "_declared", "_includes", "_is_ros_1", "_is_text")
+    __slots__ = ("_around", "_commands", "_declared", "_former", "_includes", "_is_ros_1", "_is_text")
 
-    def __init__(self, text: str, around: _Surroundings, *, is_ros_1: bool) -> None:
+    def __init__(self, source: Source, around: _Surroundings, *, is_ros_1: bool) -> None:
+        text = source.text
+        start = text.find(f"/{_FORMER}") + 1 if is_ros_1 else 0
+        self._former = LaunchFault("gone", Span(source, start, start + len(_FORMER))) if start else None
         self._around = around
         self._is_ros_1 = is_ros_1
         self._is_text = is_ros_1 or _STRING.search(text) is not None
@@ -235,7 +268,8 @@ class _Xml:
     def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
         for command in self._commands:
-            yield from _of_command(self._text(command, values), is_text=self._is_text)
+            fault = self._former if f"/{_FORMER}" in command else None
+            yield from _of_command(self._text(command, values), is_text=self._is_text, fault=fault)
 
     def included(self, given: Mapping[str, str]) -> Iterator[_Use]:
         values = self._arguments(given)
@@ -292,10 +326,24 @@ _WRAPPERS = frozenset(
 class _Python:
     """A launch file in Python: the values of the names in it, as far as its text alone says them."""
 
-    __slots__ = ("_around", "_calls", "_defaults", "_given", "_is_expander", "_is_text", "_values")
+    __slots__ = (
+        "_around",
+        "_calls",
+        "_defaults",
+        "_given",
+        "_has_expander",
+        "_is_expander",
+        "_is_text",
+        "_source",
+        "_starts",
+        "_values",
+    )
 
-    def __init__(self, tree: ast.AST, around: _Surroundings) -> None:
+    def __init__(self, tree: ast.AST, around: _Surroundings, source: Source) -> None:
         self._around = around
+        self._source = source
+        self._starts: list[int] = []
+        self._has_expander = _EXPANDER.search(source.text) is not None
         self._given: Mapping[str, str] = {}
         self._calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
         called = set(map(_called, self._calls))
@@ -319,10 +367,10 @@ class _Python:
                     self._defaults.setdefault(str(name.value), named["default_value"])
 
     @classmethod
-    def read(cls, text: str, around: _Surroundings) -> _Python | None:
+    def read(cls, source: Source, around: _Surroundings) -> _Python | None:
         """The launch file of a text, None if it cannot be read."""
         try:
-            return cls(syntax_tree(text, "exec"), around)
+            return cls(syntax_tree(source.text, "exec"), around, source)
         except (SyntaxError, ValueError, RecursionError, MemoryError):
             return None
 
@@ -332,7 +380,8 @@ class _Python:
             name = _called(call)
             if name == "Command" and call.args:
                 command = self._around.resolved(self._text(call.args[0]))
-                yield from _of_command(command, is_text=self._is_text)
+                fault = self._fault("joined", call) if _JOINED.match(command) else None
+                yield from _of_command(command, is_text=self._is_text, fault=fault)
             elif name == "ExecuteProcess":
                 yield from self._of_process(call)
             elif name in {"process_file", "process"} and call.args:
@@ -341,7 +390,19 @@ class _Python:
             elif name == "open" and call.args:
                 file = self._text(call.args[0]).rpartition("/")[2]
                 if file.endswith((".urdf", ".xacro")) and _UNKNOWN not in file:
-                    yield _Use(file, {}, is_expanded=self._is_expander)
+                    is_raw = file.endswith(".xacro") and not self._is_expander and not self._has_expander
+                    fault = self._fault("read", call) if is_raw else None
+                    yield _Use(file, {}, is_expanded=self._is_expander, fault=fault)
+
+    def _fault(self, kind: str, call: ast.Call) -> LaunchFault:
+        """A fault at the line of a call."""
+        if not self._starts:
+            lengths = map(len, self._source.text.splitlines(keepends=True))
+            self._starts = list(accumulate(lengths, initial=0))
+        at = min(call.lineno, len(self._starts) - 1)
+        line = self._source.text[self._starts[at - 1] : self._starts[at]]
+        start = self._starts[at - 1] + len(line) - len(line.lstrip())
+        return LaunchFault(kind, Span(self._source, start, start + len(line.strip())))
 
     def _of_process(self, call: ast.Call) -> Iterator[_Use]:
         """The use in a process that runs xacro itself, up to a pipe."""
