@@ -73,6 +73,16 @@ class SensorWithoutSystem(Rule):
             file="robot.urdf",
             files={"sim.launch.py": LAUNCH, "yard.sdf": YARD.format(SCREEN + IMU)},
         ),
+        Good(
+            ROBOT.format("imu"),
+            scaffold="{}",
+            file="robot.urdf",
+            files={
+                "sim.launch.py": LAUNCH,
+                "yard.sdf": YARD.format(f"{SCREEN}{IMU}").replace("gz-sim-", "libignition-gazebo-"),
+            },
+            why="the same of an older release",
+        ),
         Good(WORLD.format("", '<sensor name="s" type="imu"/>'), why="Gazebo brings its own list of systems"),
     )
 

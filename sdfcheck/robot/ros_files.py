@@ -676,7 +676,7 @@ _WORLDS = (".sdf", ".world")
 _WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s{0,20}=\s{0,20}[\"']([^\"'<>]{1,100})[\"']")
 _SUPPORT = re.compile(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
 """Words of a world in which something may be there to stand on, or of which not all is known."""
-_SYSTEM = re.compile(r"\b(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
+_SYSTEM = re.compile(r"(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
 _TIME = "use_sim_time"
 _TIMED = re.compile(
     r"use_sim_time[\"']?\s{0,20}(?:[:,=]|value\s{0,20}=)\s{0,20}(?:\(\s{0,20})?[\"']?[Tt]rue\b"

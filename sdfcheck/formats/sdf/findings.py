@@ -157,8 +157,10 @@ _OF_URDF = {("mesh", "filename"): "uri"}
 
 def _unless_known(suggestion: str | None, name: str, places: tuple[str, ...]) -> str | None:
     """A suggestion for a name, unless that is rather the name of an element in other places."""
-    is_far = bool(places) and suggestion is not None and edits(name, suggestion, 1) > 1
-    return None if is_far else suggestion
+    if not places or suggestion is None:
+        return suggestion
+    given, meant = (each.replace("_", "").lower() for each in (name, suggestion))
+    return suggestion if edits(given, meant, 1) <= 1 else None
 
 
 def _cut_short(name: str, parent: Element, place: Definition) -> str | None:
