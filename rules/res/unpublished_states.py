@@ -135,13 +135,14 @@ def lost(root: Root) -> Iterator[tuple[Target, str, Span | None]]:
         more = f" and {len(left) - 1} more joint{'s' * (len(left) > 2)}" * (len(left) > 1)
         words = f"nothing publishes the state{'s' * (len(left) > 1)} of `{left[0][1].name}`{more}"
         yield left[0][0], f"{words}, which this plugin does not list", None
-    if not joints or (span := root.lost_states) is None:
+    turning, has_plugins = driver(root), bool(root.elements.get("plugin"))
+    if not joints or (turning is None and has_plugins) or (span := root.lost_states) is None:
         return
-    where, turning = f"of which `{span.source.path.name}` makes transforms", driver(root)
+    where = f"of which `{span.source.path.name}` makes transforms"
     if turning is not None and turning.drive is not None:
         wheels = f"`{turning.drive.left.joint.name}` and the other wheels of {turning.drive.title}"
         yield turning, f"nothing publishes the states of {wheels}, {where}", span
-    elif root.is_shown_alone and not root.elements.get("plugin"):
+    elif root.is_shown_alone and not has_plugins:
         more = f" and {len(joints) - 1} more joint{'s' * (len(joints) > 2)}" * (len(joints) > 1)
         yield root.element, f"nothing publishes the states of `{joints[0].name}`{more}, {where}", span
 

@@ -18,7 +18,14 @@ from sdfcheck.formats.urdf.survey import UrdfWalk
 from sdfcheck.source.document import Document, Element
 from sdfcheck.xacro.language import PREFIX
 from sdfcheck.xacro.origins import ExpandedDocument
-from sdfcheck.xacro.static.definitions import Definitions, is_free, lacks_prefix, reading, visible_definitions
+from sdfcheck.xacro.static.definitions import (
+    Definitions,
+    Reading,
+    is_free,
+    lacks_prefix,
+    reading,
+    visible_definitions,
+)
 from sdfcheck.xacro.static.likely_mistakes import is_plain_call, with_includers
 
 _PREFIX = "xacro:"
@@ -105,8 +112,6 @@ def content(parent: Element) -> Iterator[Element]:
 
 def _place(body: Element) -> Definition | None:
     """Where a body belongs: at the first of the places that know most of it; None where none does."""
-    if _is_of_others(body):
-        return None
     robot = urdf()
     if body.name == "robot":  # or what is included in a ros2_control of one
         return robot if _surplus(body, robot) >= _surplus(body, control()) else None
@@ -118,7 +123,7 @@ def _place(body: Element) -> Definition | None:
         known, foreign = _fit(body, candidate)
         if known >= _SHARE * foreign and known - foreign > best:
             best, place = known - foreign, candidate
-    return place
+    return None if place is None or _is_of_others(body) else place
 
 
 def _path(branch: Element) -> str | None:
@@ -142,14 +147,25 @@ def _is_of_others(body: Element) -> bool:
     if body.name != "xacro:macro":
         return False
     name = body.attributes.get("name", "").removeprefix(_PREFIX)
-    calls = body.document.view(_calls).get(name, [])
+    if not all(map(is_free, body.document.view(_calls_before).get(name, ()))):
+        return False
+    calls = body.document.view(_calls).get(name, ())
     return bool(calls) and all(map(is_free, calls))
 
 
+def _calls_before(document: Document) -> dict[str, list[Element]]:
+    """Macro → the calls of it, in a file and those that it includes."""
+    return _by_macro(visible_definitions(document).readings)
+
+
 def _calls(document: Document) -> dict[str, list[Element]]:
-    """Macro → the calls of it, in a file, those that it includes, and those that include it."""
+    """The same with those in files that include it."""
+    return _by_macro(with_includers(document, visible_definitions(document)))
+
+
+def _by_macro(readings: Iterable[Reading]) -> dict[str, list[Element]]:
     calls: dict[str, list[Element]] = {}
-    for read in with_includers(document, visible_definitions(document)):
+    for read in readings:
         for call in read.calls:
             calls.setdefault(call.name.rpartition(".")[2], []).append(call.element)
     return calls
