@@ -66,6 +66,12 @@ class ImpossibleInertia(Rule):
             scaffold=IN_URDF_LINK,
             says="0.1 > 0.01 + 0.01",
         ),
+        Bad(
+            '<sdf version="1.9"><world name="w"><model name="m"><link name="l"><inertial><mass>1</mass>'
+            "<inertia><ixx>«1»</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link></model></world></sdf>",
+            scaffold="",
+            says="1 > 0.1 + 0.1",
+        ),
     )
     good = (
         Good(

@@ -47,6 +47,12 @@ class IndefiniteInertia(Rule):
             scaffold=IN_URDF_LINK,
             says="ixx -0.1 is negative",
         ),
+        Bad(
+            '<sdf version="1.9"><world name="w"><model name="m"><link name="l"><inertial><mass>1</mass>'
+            "<inertia><ixx>«-1»</ixx><iyy>0.1</iyy><izz>0.1</izz></inertia></inertial></link></model></world></sdf>",
+            scaffold="",
+            says="ixx -1 is negative",
+        ),
     )
     good = (
         Good(

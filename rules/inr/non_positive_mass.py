@@ -64,6 +64,11 @@ class NonPositiveMass(Rule):
             "<inertial><mass>«-1»</mass></inertial></link></model></sdf>",
             scaffold="",
         ),
+        Bad(
+            '<sdf version="1.12"><world name="w"><model name="m"><link name="a">'
+            "<inertial><mass>«-1»</mass></inertial></link></model></world></sdf>",
+            scaffold="",
+        ),
         Bad(FIXED.format("«0»", 1), scaffold="", says="link `b` has moments of inertia and a mass of 0"),
     )
     good = (

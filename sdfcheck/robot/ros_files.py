@@ -726,16 +726,18 @@ class _Simulations:
             for path, bare, words in found
         ]
         self.creations = [each for source, words in self.launches for each in _creations(source, words)]
-        self.worlds: dict[str, str] = {}
-        """Name of a file → the text of the world in it; empty where two files have the name."""
+        worlds: dict[str, str] = {}
         self.systems: frozenset[str] = frozenset()
         """The systems that any description of the project lists."""
         if self.launches:
             texts = _texts(packages, (*_DESCRIPTIONS, ".erb")) or {}
             for path, text in texts.items():
                 if path.suffix in _WORLDS and "<world" in text:
-                    self.worlds[path.name] = "" if path.name in self.worlds else _REMARK.sub("", text)
+                    worlds[path.name] = "" if path.name in worlds else _REMARK.sub("", text)
             self.systems = frozenset(name for text in texts.values() for name in _SYSTEM.findall(text))
+        named = {file for each in self.creations for file in each.files}
+        self.worlds = {name: _world(text) for name, text in worlds.items() if name in named}
+        """Name of a file that a launch file names → the only world in it, if no other file has that name."""
         self.timed = self._timed(packages)
 
     def _timed(self, packages: Packages) -> tuple[Span, frozenset[str]] | None:
@@ -811,11 +813,20 @@ def launched_world(document: Document) -> LaunchedWorld | None:
     simulations = library.of_project(document.path, _Simulations)
     for span, words, files, wanted in simulations.creations:
         others = files - {name} if name in words else ()
-        text = simulations.worlds.get(next(iter(others)), "") if len(others) == 1 else ""
-        if len(names := _WORLD.findall(text)) == 1:
-            systems, is_bare = frozenset(_SYSTEM.findall(text)), _SUPPORT.search(text) is None
-            return LaunchedWorld(next(iter(others)), names[0], systems, is_bare, span, wanted)
+        file = next(iter(others)) if len(others) == 1 else ""
+        if (world := simulations.worlds.get(file)) is not None:
+            return LaunchedWorld(file, *world, span, wanted)
     return None
+
+
+def _world(text: str) -> tuple[str, frozenset[str], bool] | None:
+    """The name of the only world of a text, its systems, and whether nothing in it is static; else None."""
+    names = _WORLD.findall(text)
+    return (
+        (names[0], frozenset(_SYSTEM.findall(text)), _SUPPORT.search(text) is None)
+        if len(names) == 1
+        else None
+    )
 
 
 # States of joints.

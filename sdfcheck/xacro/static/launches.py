@@ -397,7 +397,7 @@ class _Python:
     def _fault(self, kind: str, call: ast.Call) -> LaunchFault:
         """A fault at the line of a call."""
         if not self._starts:
-            lengths = map(len, self._source.text.splitlines(keepends=True))
+            lengths = (len(line) + 1 for line in self._source.text.split("\n"))
             self._starts = list(accumulate(lengths, initial=0))
         at = min(call.lineno, len(self._starts) - 1)
         line = self._source.text[self._starts[at - 1] : self._starts[at]]
