@@ -207,11 +207,22 @@ class GazeboRobot:
             return "a joint loses its parent"
         if not self.links:
             return "nothing is left"
-        below = list(link.below())
-        if any(each in self.followed for each in below):
+        if link in self._leading:
             return "the leader of a mimic is not there"
-        is_carrying = any(joint.is_lumped for each in below for joint in each.child_joints)
-        return "a frame loses its link, which version 17 is the first to make" if is_carrying else ""
+        return (
+            "a frame loses its link, which version 17 is the first to make" if link in self._carrying else ""
+        )
+
+    @lazy
+    def _leading(self) -> set[Link]:
+        """The links that are :attr:`followed`, and all above them."""
+        return _with_above(self.followed)
+
+    @lazy
+    def _carrying(self) -> set[Link]:
+        """The links with which others are merged, and all above them."""
+        parents = (joint.parent_link for joint in self.model.tree.joints if joint.is_lumped)
+        return _with_above(link for link in parents if link is not None)
 
     def is_miswritten(self, link: Link) -> bool:
         """Has the link no mass because urdfdom fails before it has read the one that is there, or it is negative?"""
@@ -444,6 +455,18 @@ def _type(joint: Joint) -> str:
         is_turned = any(block.is_on("disableFixedJointLumping") for block in joint.gazebo_blocks)
         return "revolute" if is_turned and not is_fixed else "fixed"
     return "revolute" if joint.type == "continuous" else joint.type
+
+
+def _with_above(links: Iterable[Link]) -> set[Link]:
+    """Some links, and those that carry them, each visited once."""
+    found: set[Link] = set()
+    waiting = list(links)
+    while waiting:
+        link = waiting.pop()
+        if link not in found:
+            found.add(link)
+            waiting += (joint.parent_link for joint in link.parent_joints if joint.parent_link is not None)
+    return found
 
 
 def _sum(links: Iterable[Link]) -> Moments:
