@@ -196,7 +196,7 @@ def _unknown_ends(joint: Joint) -> list[tuple[Value, list[Value]]]:
     found: list[tuple[Value, list[Value]]] = []
     for value in unknown:
         ends = scope.unresolved.get(value.text)
-        if ends is None or value.text in scope.lost_names:
+        if ends is None or value.text in scope.lost_names or (joint.is_urdf and not value.text.strip()):
             continue
         if not joint.is_urdf:
             if value.text == joint.name:

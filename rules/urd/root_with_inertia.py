@@ -47,10 +47,10 @@ class RootWithInertia(Rule):
 
     @staticmethod
     def applies(link: Link) -> bool:
-        # A root called `world` is the world; one of a second tree is an error of its own.
+        # A root called `world` is the world; one of a second tree is an error of its own, or follows from one.
         if link.name == "world" or not link.has_mass:
             return False
-        return bool(link.child_joints) and link in link.model.tree.main_roots
+        return bool(link.child_joints) and link.model.tree.is_whole and link not in link.model.tree.parents
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         message = f"root {link.title} has mass, which KDL drops"

@@ -72,6 +72,8 @@ class VanishingRoot(Rule):
 
     @staticmethod
     def applies(robot: Model) -> bool:
+        if not robot.tree.is_whole or not all(each.moves or each.type == "fixed" for each in robot.joints):
+            return is_world_alone(robot)  # what is built of it follows from a joint
         built = robot.as_built_by(Consumer.GAZEBO)
         return not built.with_mass.issuperset(built.tops) or is_world_alone(robot)
 

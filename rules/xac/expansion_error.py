@@ -27,6 +27,7 @@ _HELP: Mapping[str, str] = {
     "submodule": "fetch it with `git submodule update --init`, or correct the path",
     "syntax": "correct the file that is included",
     "text": "save the file as UTF-8",
+    "number": "write the number alone, with a point for the decimals: lengths are in meters, angles in radians",
     "pattern": "correct the pattern, or remove the include: xacro includes nothing here, and warns",
     "recursion": "put the call into an `xacro:if` or `xacro:unless` that ends it",
     "refused": "an expansion may compute, and read files below the project and the package paths",
@@ -35,6 +36,7 @@ _MESSAGES: Mapping[str, str] = {
     "argument": "argument `{detail}` has no value, so what depends on it is not checked",
     "variable": "environment variable `{detail}` is not set for the expansion",
     "withheld": "environment variable `{detail}` is set, but not passed on to the expansion",
+    "number": "`{detail}` is not a number",
     "pattern": "no file matches `{detail}`, so nothing is included",
     "text": "xacro cannot read the file here: {detail}",
     "syntax": "the included file is not well-formed: {detail}",
@@ -105,6 +107,12 @@ class ExpansionError(Rule):
             '<link name="«$(var prefix)»a"/>',
             file=FILE,
             says="`var` is a word of launch files: xacro has `arg`",
+        ),
+        Bad(
+            '<xacro:property name="r" value="«0,05»"/><link name="a"><visual><origin xyz="0 0 ${r * 2.0}"/>'
+            '<geometry><sphere radius="${r}"/></geometry></visual></link>',
+            file=FILE,
+            says="`0,05` is not a number; `${r * 2.0}` computes with it",
         ),
         Bad('<xacro:include filename="«missing.xacro»"/>', file=FILE, says="no such file"),
         Bad(

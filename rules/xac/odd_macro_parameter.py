@@ -7,6 +7,8 @@ MESSAGES = {
     "comma": "parameters are separated by spaces, not by commas: `{},`",
     "doubled": "parameter `{}` is listed twice",
     "blank": "a space between `:=` and the default of `{}`",
+    "no name": "`{}` is not a name, and no call can give it",
+    "no default": "`{}:=` has no default of its own, and takes the next parameter for it",
     "no colon": "write `:=` before the default of `{}`, not `=`",
 }
 
@@ -51,6 +53,16 @@ class OddMacroParameter(Rule):
             '<xacro:macro name="m" params="«side»=l"><link name="${side}"/></xacro:macro><xacro:m/>',
             file=FILE,
             says="write `:=` before the default of `side`",
+        ),
+        Bad(
+            '<xacro:macro name="m" params="side:=l «:=1»"><link name="${side}"/></xacro:macro><xacro:m/>',
+            file=FILE,
+            says="`:=1` is not a name, and no call can give it",
+        ),
+        Bad(
+            '<xacro:macro name="m" params="«side»:= size:=1"><link name="${side}"/></xacro:macro><xacro:m/>',
+            file=FILE,
+            says="`side:=` has no default of its own, and takes the next parameter for it",
         ),
     )
     good = (

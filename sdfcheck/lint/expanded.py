@@ -25,7 +25,7 @@ from sdfcheck.xacro.expansion import Expander
 from sdfcheck.xacro.language import KEYWORDS, PREFIX, is_literal
 from sdfcheck.xacro.origins import ExpandedDocument
 from sdfcheck.xacro.prepare import UnknownParts, expand_as_launched, goes_on, has_unknown_value, prepare
-from sdfcheck.xacro.problems import UnevaluatedExpression
+from sdfcheck.xacro.problems import ExpansionFailure, Failure, UnevaluatedExpression
 from sdfcheck.xacro.static.analysis import BRACES
 from sdfcheck.xacro.static.definitions import keyword, visible_definitions
 from sdfcheck.xacro.static.likely_mistakes import missing_prefixes
@@ -54,7 +54,12 @@ def lint_xacro(
         if expanded.root is not None:
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
-    left = [problem.span for problem in document.problems if isinstance(problem, UnevaluatedExpression)]
+    left = [
+        problem.span
+        for problem in document.problems
+        if isinstance(problem, UnevaluatedExpression)
+        or (isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION)
+    ]
     calls = _left_calls(document)
     found += [
         _with_cause(_as_left(each, calls), calls)

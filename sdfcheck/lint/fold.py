@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from sdfcheck.files.library import Disk
@@ -34,7 +34,7 @@ def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: 
             origins=diagnostic.origins or origins,
         )
         settled.append(moved)
-    return [_with_values(each, file) for each in _once_a_way(settled)]
+    return [*_at_values(_once_a_way(settled), file)]
 
 
 def _once_a_way(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
@@ -65,12 +65,42 @@ def _label(place: Span, text: str, span: Span) -> Label:
     return Label(place, text)
 
 
-def _with_values(diagnostic: Diagnostic, file: Document) -> Diagnostic:
+def _at_values(diagnostics: Iterable[Diagnostic], file: Document) -> Iterator[Diagnostic]:
+    """The diagnostics with the values of expressions that they are about.
+
+    A text that is meant for a number has one, where it is written; none if it is reported by expressions already.
+    """
+    seen = set()
+    for each in diagnostics:
+        value: str | None = getattr(each.span, "value", None)
+        if value is None:
+            yield each
+            continue
+        from sdfcheck.xacro.static.reasons import givers, misnumbered, values_at_fault
+
+        origins = getattr(each.span, "origins", ())
+        at_fault = set(values_at_fault(file.problems))
+        if at_fault and not at_fault.isdisjoint(given.span for given in givers(each.span, origins, file)):
+            continue
+        given = misnumbered(each.span, origins, file)
+        if given is None or given.text.strip() not in value:
+            yield _with_values(each, value, file)
+        elif (each.code, given.span) not in seen:
+            seen.add((each.code, given.span))
+            yield _moved(each, value, given.span)
+
+
+def _moved(diagnostic: Diagnostic, value: str, place: Span) -> Diagnostic:
+    """The diagnostic about a value, at the place that gives it."""
+    span = diagnostic.span
+    message = diagnostic.message.replace(span.text, value)
+    labels = (Label(span, "read here"), *(each for each in diagnostic.labels if each.span != place))
+    return diagnostic._replace(span=place, message=f"{message} (`{span.text}`)", labels=labels, origins=())
+
+
+def _with_values(diagnostic: Diagnostic, value: str, file: Document) -> Diagnostic:
     """The diagnostic with the value of the expression that it is about, and where that value comes from."""
     span = diagnostic.span
-    value: str | None = getattr(span, "value", None)
-    if value is None:
-        return diagnostic
     from sdfcheck.xacro.static.reasons import givers
 
     found = givers(span, getattr(span, "origins", ()), file)

@@ -1455,6 +1455,11 @@ class Tree:
         children = {joint.child_name for joint in self.joints}
         return any(name not in children for name in self.links)
 
+    @lazy
+    def is_whole(self) -> bool:
+        """Does each joint tie two links, and do all links hang together?"""
+        return len(self.groups) <= 1 and all(self.ends(joint) is not None for joint in self.joints)
+
     def below(self, *links: Link) -> Iterator[Link]:
         """The links and all links below them, each once, even where joints lead round in a circle."""
         seen = set(links)
@@ -1485,6 +1490,7 @@ class Tree:
         if not others:
             return []
         broken = sum(self.ends(joint) is None for joint in self.joints) + len(self.loops())
+        broken += self.model.misspells("joint")
         if len(others) <= broken:
             return []
         meant = set(self._meant_children())

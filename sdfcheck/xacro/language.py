@@ -20,6 +20,8 @@ KEYWORDS = frozenset(
 
 REQUIRED: Mapping[str, tuple[str, ...]] = {
     "arg": ("name", "default"),
+    "attribute": ("name", "value"),
+    "call": ("macro",),
     "if": ("value",),
     "include": ("filename",),
     "insert_block": ("name",),

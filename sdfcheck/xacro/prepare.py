@@ -39,7 +39,7 @@ from sdfcheck.xacro.problems import (
 from sdfcheck.xacro.static import analysis
 from sdfcheck.xacro.static.definitions import is_robot, keyword
 from sdfcheck.xacro.static.project import is_called, is_expanded, is_included
-from sdfcheck.xacro.static.reasons import with_reason
+from sdfcheck.xacro.static.reasons import at_values, with_reason
 
 # Files that are only a part of a robot: another file includes them and has the rest.
 
@@ -141,7 +141,7 @@ def prepare(
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
     documents = tuple(_documents(expansions, document))
     found = [each for each in found if not _is_template(each.span.source)]
-    explained = [with_reason(problem, document) for problem in _merged(found)]
+    explained = [with_reason(each, document) for each in _merged(at_values(found, document))]
     return _without_templates(Prepared(tuple(explained), documents, shown))
 
 
@@ -314,6 +314,14 @@ def stops(problem: Problem) -> bool:
 _NAME_ALONE = re.compile(r"\$\{\s*\w+\s*\}")
 
 
+_OF_MACROS = (OddParameter, UnevaluatedExpression, WrongXacroAttribute)
+"""On the line of a macro, these say that what it takes is not written as it is meant."""
+
+
+def _line(span: Span) -> tuple[Path, int]:
+    return span.source.path, span.begin.line
+
+
 def _merged(found: list[Problem]) -> Iterator[Problem]:
     """The first of the problems of one kind at one place, and of those with one undefined name.
 
@@ -325,7 +333,14 @@ def _merged(found: list[Problem]) -> Iterator[Problem]:
         if isinstance(problem, UndefinedProperty):
             insort(asked.setdefault((problem.span.source.path, problem.name), []), problem.span.start)
     seen = set()
+    unclear = {_line(each.span) for each in found if isinstance(each, _OF_MACROS)}
     for problem in found:
+        if (
+            isinstance(problem, WrongMacroArguments)
+            and problem.definition
+            and _line(problem.definition) in unclear
+        ):
+            continue
         key = type(problem), _subject(problem)
         if key in seen:
             continue

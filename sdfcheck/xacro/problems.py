@@ -125,6 +125,8 @@ class ParameterFlaw(Enum):
     DOUBLED = "doubled"
     BLANK = "blank"
     NO_COLON = "no colon"
+    NO_NAME = "no name"
+    NO_DEFAULT = "no default"
 
 
 class OddParameter(Oversight):
@@ -135,13 +137,14 @@ class OddParameter(Oversight):
     @property
     def is_fatal(self) -> bool:
         """Can a call of the macro not be expanded?"""
-        return self.flaw in {ParameterFlaw.COMMA, ParameterFlaw.DOUBLED}
+        return self.flaw not in {ParameterFlaw.BLANK, ParameterFlaw.NO_COLON}
 
 
 class Failure(Enum):
     """The ways in which an expansion fails that have no kind of problem of their own."""
 
     EXPRESSION = "expression"
+    NUMBER = "number"
     ARGUMENT = "argument"
     VARIABLE = "variable"
     WITHHELD = "withheld"
@@ -175,6 +178,10 @@ class Reason(Record):
 
 NO_KEY = "the YAML has no key"
 """The beginning of the reason why an expression fails that asks for one."""
+NO_TRUTH = " is neither true nor false"
+"""Its end, where a condition does."""
+WRONG_NAME = "a property cannot have the name"
+"""Its beginning, where a property has a name that it cannot have."""
 _NO_BLOCK = "Undefined block"
 """The same, of a block."""
 
@@ -279,7 +286,7 @@ class WrongXacroAttribute(Record):
         if self.is_dormant or self.is_missing:
             return not self.is_dormant
         own = self.element.removeprefix(PREFIX)
-        return self.near is not None and self.near in {*REQUIRED.get(own, ()), "value"}
+        return self.near is not None and self.near in {*REQUIRED.get(own, ()), "params", "value"}
 
 
 class IgnoredIncludeContent(Record):

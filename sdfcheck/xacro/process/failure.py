@@ -11,7 +11,7 @@ from xml.parsers.expat import ExpatError, errors
 
 from xacro.substitution_args import ArgException
 
-from sdfcheck.xacro.problems import NO_KEY
+from sdfcheck.xacro.problems import NO_KEY, NO_TRUTH, WRONG_NAME
 from sdfcheck.xacro.process.interpreter import Refused, TooMuch
 from sdfcheck.xacro.process.trace import KEY, Step, Tracer, Written
 
@@ -108,7 +108,11 @@ class Spot:
 def describe(error: BaseException, tracer: Tracer) -> Record:
     """The kind of a failure, for :mod:`sdfcheck.xacro.problems`, and its place."""
     spot = Spot()
-    for frame in _frames(error):
+    frames = [*_frames(error)]
+    for frame in reversed(frames):
+        if frame.f_code.co_name.endswith("writexml") and "a_name" in frame.f_locals:
+            return _unwritten(frame.f_locals["self"], str(frame.f_locals["a_name"]))
+    for frame in frames:
         if frame.f_globals.get("__name__", "").partition(".")[0] == "xacro":
             spot.take(frame, tracer)
     record = _judge(error, spot)
@@ -120,6 +124,23 @@ def describe(error: BaseException, tracer: Tracer) -> Record:
     record.setdefault("attribute", spot.attribute)
     record["expression"] = spot.expression
     return record
+
+
+def _unwritten(element: Any, attribute: str) -> Record:
+    """An attribute whose value is not a text when the result is written: ``xacro:attribute`` takes any."""
+    spot = Spot()
+    spot.at(element, attribute)
+    message = (
+        f"`xacro:attribute` gives `{attribute}` a number, and xacro writes texts only: write `${{str(…)}}`"
+    )
+    return {
+        "kind": "other",
+        "message": message,
+        "place": spot.data.place if spot.data else None,
+        "step": spot.data.step if spot.data else None,
+        "attribute": attribute,
+        "expression": "",
+    }
 
 
 def _judge(error: BaseException, spot: Spot) -> Record:
@@ -161,9 +182,10 @@ def _of_xacro(root: BaseException, spot: Spot) -> Record:
         return _arguments(text, spot)
     if text.startswith("Property names must be valid"):
         spot.attribute = "name"
+        text = f"{WRONG_NAME} `{text.partition(': ')[2]}`"
     if text.startswith("Xacro conditional"):
         spot.attribute, spot.expression = "value", ""
-        text = f"`{text.rpartition(' evaluated to ')[2].split(chr(34))[1]}` is neither true nor false"
+        text = f"`{text.rpartition(' evaluated to ')[2].split(chr(34))[1]}`{NO_TRUTH}"
     return {"kind": "other", "message": _words(root, text)}
 
 

@@ -33,6 +33,8 @@ _FROM_ELSEWHERE = frozenset({"argument", "macro", "property"})
 
 _WRONG_PARAMETERS = ("Invalid parameter", "Undefined parameters")
 """The beginnings of xacro's messages about calls."""
+_UNDEFINED_BLOCK = "Undefined block"
+"""The beginning of xacro's message about a block, which a property may define."""
 _WORD = re.compile(r"[^\W\d]\w*")
 
 
@@ -106,7 +108,12 @@ class Perseverance:
         children = [*node.childNodes]
         for child in reversed(children):
             node.removeChild(child)
-        self._eval_all(node, macros, symbols)
+        try:
+            self._eval_all(node, macros, symbols)
+        except Exception:
+            for child in children:
+                node.appendChild(child)
+            raise
         before: list[Any] = []  # xacro drops comments before its elements
         for child in children:
             before.append(child)
@@ -118,13 +125,20 @@ class Perseverance:
             for each in before:
                 alone.appendChild(each)
             self._eval_alone(alone, child, macros, symbols)
-            for name, value in alone.attributes.items():
-                node.setAttribute(name, value)
+            self._take_attributes(node, alone, child)
             for done in [*alone.childNodes]:
                 node.appendChild(done)
             before.clear()
         for child in before:
             node.appendChild(child)
+
+    def _take_attributes(self, node: Any, alone: Any, child: Any) -> None:
+        """Give a node the attributes that ``xacro:attribute`` gave; one without a known name stays as it is."""
+        for name, value in alone.attributes.items():
+            if MARK in name:
+                alone.appendChild(child)
+            else:
+                node.setAttribute(name, value)
 
     def _eval_alone(self, alone: Any, child: Any, macros: Any, symbols: Any) -> None:
         written = dict(child.attributes.items()) if child.nodeType == child.ELEMENT_NODE else {}
@@ -168,13 +182,16 @@ class Perseverance:
             return
         report = failure.describe(error, self.tracer)
         kind, name = report["kind"], str(report.get("name", ""))
-        if self._is_open and kind in _FROM_ELSEWHERE:
+        message = str(report.get("message", ""))
+        if MARK in f"{name}{message}":
+            return  # a name that depends on a placeholder
+        if self._is_open and (kind in _FROM_ELSEWHERE or message.startswith(_UNDEFINED_BLOCK)):
             return
         place = report.get("place") if not name or kind in {"macro", "property"} else None
         folder = os.path.dirname(name) if kind == "file" else ""
         if folder and not os.path.isdir(folder):
             name = folder  # all that should be in it is missing for one reason
-        key = kind, name, report.get("message"), place
+        key = kind, name, message, place, None if name else report.get("step")
         if key not in self._seen and len(self.reports) < MOST:
             self._seen.add(key)
             self.reports.append(report)
@@ -184,6 +201,7 @@ class Perseverance:
         for each in [element, *element.getElementsByTagName("*")]:
             name = each.getAttribute("name")
             if each.tagName == "xacro:property":
+                self._is_open |= not name.isidentifier()
                 for word in _WORD.findall(name):  # one, or what expressions would make one of
                     self._forget(word, symbols, is_outward=each.hasAttribute("scope"))
             elif each.tagName.startswith("xacro:") and each.tagName not in _DECISIONS:

@@ -26,6 +26,8 @@ from sdfcheck.xacro.language import (
     syntax_tree,
 )
 from sdfcheck.xacro.problems import (
+    NO_TRUTH,
+    WRONG_NAME,
     CounterpartProperty,
     ExpansionFailure,
     Failure,
@@ -91,7 +93,7 @@ def expression_problems(document: Document, visible: Definitions) -> Iterator[Fo
     """The problems of the expressions, substitutions, conditions and inclusions of a document."""
     invalid = {each.name: each for each in reading(document).properties if _is_invalid(each.name)}
     for each in invalid.values():
-        detail = f"Property names must be valid python identifiers: {each.name}"
+        detail = f"{WRONG_NAME} `{each.name}`"
         yield ExpansionFailure(
             document.spans.attribute_value(each.element, "name"), Failure.EXPRESSION, detail
         )
@@ -219,7 +221,7 @@ def _conditions(document: Document) -> Iterator[ExpansionFailure]:
             if is_literal(text) and text not in _TRUTHS and not _is_whole(text):
                 value = element.attribute("value")
                 span = value.span if value is not None else element.span
-                yield ExpansionFailure(span, Failure.EXPRESSION, f"`{text}` is neither true nor false")
+                yield ExpansionFailure(span, Failure.EXPRESSION, f"`{text}`{NO_TRUTH}")
 
 
 def _is_whole(text: str) -> bool:
@@ -338,7 +340,10 @@ def _undefined_properties(document: Document, visible: Definitions) -> Iterator[
     outside, inside = visible.properties, visible.properties | visible.parameters
     # A name with a hyphen, which expressions take for a minus, is reported where it is defined.
     dashed = {part for name in outside if "-" in name for part in name.split("-")}
+    unclear = {macro.element for macro in reading(document).macros if not macro.is_clear}
     for found in reading(document).expressions:
+        if found.macro in unclear:
+            continue
         known = outside if found.macro is None else inside
         for name in sorted(free_names(found.code) - known - BUILT_IN - dashed):
             is_function = re.search(rf"(?<![\w.]){name}\s*\(", found.code) is not None
@@ -379,9 +384,11 @@ def _wrong_arguments(document: Document, visible: Definitions) -> Iterator[Probl
         if len(macros) != 1 or call.element.name == "xacro:call":
             continue
         macro = macros[0]
+        if not macro.is_clear:
+            continue
         if visible.is_open and macro.element.document in visible.conditional:
             continue  # another branch, which is not known, may define it in another way
-        given = [name for name in call.element.attributes if not name.startswith(PREFIX)]
+        given = [*call.element.attributes]
         taken = {p.name for p in macro.parameters if not p.is_block}
         names = tuple(p.name for p in macro.parameters)
         missing = tuple(
@@ -390,7 +397,11 @@ def _wrong_arguments(document: Document, visible: Definitions) -> Iterator[Probl
         for name in given:
             if name not in taken:
                 span = document.spans.attribute_name(call.element, name)
-                near = missing[0] if len(missing) == 1 else nearest(name, taken.difference(given))
+                near = (
+                    missing[0]
+                    if len(missing) == 1
+                    else nearest(name.removeprefix(PREFIX), taken.difference(given))
+                )
                 missing = tuple(each for each in missing if each != near)
                 yield WrongMacroArguments(
                     span, macro.name, Mismatch.UNKNOWN, (name,), names, _definition(macro), near=near

@@ -113,6 +113,8 @@ def _wrong_attributes(element: Element, own: str) -> Iterator[WrongXacroAttribut
     for name in given:
         if name not in _taken(own) and ":" not in name:
             near = _meant(name, own, given)
+            if near is None and own == "call":
+                continue  # a parameter of the macro
             meant.add(near)
             span = element.document.spans.attribute_name(element, name)
             yield WrongXacroAttribute(span, element.name, name, is_missing=False, near=near)
@@ -128,7 +130,8 @@ def _meant(name: str, own: str, given: dict[str, str]) -> str | None:
         return None
     missing = [each for each in REQUIRED[own] if each not in given]
     unknown = [each for each in given if each not in _taken(own)]
-    return nearest(name, free) or (missing[0] if len(missing) == len(unknown) == 1 else None)
+    is_only = len(missing) == len(unknown) == 1 and own != "call"
+    return nearest(name, free) or (missing[0] if is_only else None)
 
 
 def _taken(own: str) -> tuple[str, ...]:
@@ -163,6 +166,12 @@ def free_names(code: str) -> frozenset[str]:
 
 
 _WORD = re.compile(r"[^\W\d]\w*")
+_PARAMETER = re.compile(r"\*{0,2}[^\W\d][\w.:-]*")
+
+
+def is_name(parameter: Parameter) -> bool:
+    """Has a parameter a name that an attribute of a call can have?"""
+    return _PARAMETER.fullmatch(parameter.name) is not None
 
 
 class Macro(Record):
@@ -176,6 +185,11 @@ class Macro(Record):
     has_includes: bool
     written: tuple[Parameter, ...]
     """Its parameters as xacro takes them, with commas and doubled ones."""
+
+    @property
+    def is_clear(self) -> bool:
+        """Is each of its parameters a name, so that it takes these and no others?"""
+        return all(map(is_name, self.parameters))
 
 
 class Property(Record):
@@ -293,7 +307,7 @@ class Reading:
         attributes = own_attributes(element, own)
         name = attributes.get("name", "")
         if own == "property":
-            self.is_open |= not is_literal(name)
+            self.is_open |= not name.isidentifier()
             self.properties.append(
                 Property(element, name, attributes.get("value", attributes.get("default")), macro)
             )
@@ -307,9 +321,10 @@ class Reading:
             filename = attributes.get("filename", "")
             self.includes.append(Include(element, filename, namespace, conditional or optional, optional))
         elif own == "call":
-            self.is_open |= not is_literal(attributes.get("macro", ""))
-            if is_literal(attributes.get("macro", "")):
-                self.calls.append(Call(element, attributes.get("macro", ""), macro))
+            called = attributes.get("macro", "")
+            self.is_open |= not called or not is_literal(called)
+            if called and is_literal(called):
+                self.calls.append(Call(element, called, macro))
 
     def _take_values(self, element: Element, macro: Element | None, conditional: bool) -> None:
         self.words |= _words_of(element)
@@ -360,6 +375,8 @@ def _words_of(element: Element) -> set[str]:
     }
     for _, text in texts(element):
         words.update(word for _, command in substitutions(text) for word in _WORD.findall(command))
+        if text.count("${") > text.count("}"):
+            words.update(_WORD.findall(text))  # of an expression without end
     if element.name in {"xacro:insert_block", "insert_block"}:  # without the prefix it is meant for one
         words.add(element.attributes.get("name", ""))
     return words

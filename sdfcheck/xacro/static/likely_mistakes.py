@@ -22,6 +22,7 @@ from sdfcheck.xacro.language import (
     SYMBOLS,
     Parameter,
     is_literal,
+    matches,
     substitutions,
 )
 from sdfcheck.xacro.problems import (
@@ -60,6 +61,7 @@ from sdfcheck.xacro.static.definitions import (
     is_conditional,
     is_free,
     is_in_include,
+    is_name,
     is_outside,
     is_robot,
     knows_all,
@@ -327,23 +329,35 @@ def _macros(read: Reading) -> Iterator[Oversight]:
 def _parameters(macro: Macro) -> Iterator[Oversight]:
     value = macro.element.attribute("params")
     seen: dict[str, Parameter] = {}
-    has_comma = False
-    for parameter in macro.written if value is not None else ():
+    has_comma = is_unclear = False
+    if value is None:
+        return
+    for parameter in macro.written:
         name = parameter.name.strip(",")
         if "," in parameter.name or (parameter.default or "").endswith(","):
             if not has_comma:
                 yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.COMMA)
             has_comma = True
+        elif not is_name(parameter):
+            if not is_unclear and ("$" not in name or any(name in each[0] for each in matches(value.text))):
+                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.NO_NAME)
+            is_unclear = True
         elif parameter.name in seen:
             place, other = (parameter_place(macro, each) for each in (parameter, seen[parameter.name]))
             yield OddParameter(place, name, other, flaw=ParameterFlaw.DOUBLED)
-        elif parameter.is_optional and value is not None:
-            sign = _SIGN.match(value.text, parameter.end)
-            if sign and sign[2] and parameter.default is not None:
-                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.BLANK)
-            elif sign and sign[1] == "=":
-                yield OddParameter(parameter_place(macro, parameter), name, flaw=ParameterFlaw.NO_COLON)
+        elif parameter.is_optional and (flaw := _flaw_of_default(parameter, value.text)):
+            yield OddParameter(parameter_place(macro, parameter), name, flaw=flaw)
         seen.setdefault(parameter.name, parameter)
+
+
+def _flaw_of_default(parameter: Parameter, text: str) -> ParameterFlaw | None:
+    """The oddity of the sign between a parameter of a ``params`` and its default."""
+    sign = _SIGN.match(text, parameter.end)
+    if sign and ":=" in (parameter.default or ""):
+        return ParameterFlaw.NO_DEFAULT
+    if sign and sign[2] and parameter.default is not None:
+        return ParameterFlaw.BLANK
+    return ParameterFlaw.NO_COLON if sign and sign[1] == "=" else None
 
 
 def _functions(read: Reading) -> Iterator[Oversight]:

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import cast
 
 from sdfcheck.formats.near_names import suggest
+from sdfcheck.formats.problems import MissingAttribute
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.urdf.schema import VERSIONS, control, known_parents, urdf
 from sdfcheck.formats.urdf.survey import UrdfWalk
@@ -50,8 +51,9 @@ class Bodies:
             place = _place(body)
             if place is not None:
                 walk.content(body, place)
-        self.problems = walk.conclude()
-        self.elements = [element for elements in walk.index.values() for element in elements]
+        self.problems = [each for each in walk.conclude() if not _may_be_given(each)]
+        elements = (element for elements in walk.index.values() for element in elements)
+        self.elements = [element for element in elements if not _gets_attributes(element)]
 
 
 class _BodyWalk(UrdfWalk):
@@ -76,6 +78,19 @@ class _BodyWalk(UrdfWalk):
                 self.element(child, parent, definition)
             elif not place.open and not is_plain_call(child, visible_definitions(child.document)):
                 self.findings.unexpected(child, parent, place)
+
+
+def _may_be_given(problem: object) -> bool:
+    """Is an attribute missing that xacro may write?"""
+    return isinstance(problem, MissingAttribute) and _gets_attributes(problem.element)
+
+
+def _gets_attributes(element: Element) -> bool:
+    """Will xacro write attributes of an element, which are in no tag yet?"""
+    return any(
+        child.name == "xacro:attribute" or (child.name in TRANSPARENT and _gets_attributes(child))
+        for child in element.children()
+    )
 
 
 def _has_text(element: Element) -> bool:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import keyword
+import math
 import os
 import re
 from bisect import bisect_left
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from sdfcheck.files.git import is_ignored
@@ -19,6 +20,8 @@ from sdfcheck.source.scanner.parse_tag import parse_start_tag
 from sdfcheck.source.text import Source, Span, Step, relative_path
 from sdfcheck.xacro.language import BUILT_IN, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.problems import (
+    NO_TRUTH,
+    WRONG_NAME,
     ExpansionFailure,
     Failure,
     Problem,
@@ -62,6 +65,8 @@ _ARGUMENT = re.compile(r"(?<!['\"])\$\(arg\s+(\w+)\)")
 _LONGEST = 1000
 """Characters of an expression that is looked at."""
 _NO_LETTER = re.compile(r"\W")
+_OF_TEXT = re.compile(r"\bstr\b|'str'|sequence")
+"""In the messages of Python about texts in the place of numbers."""
 _OTHER_LANGUAGES = (
     (re.compile(r"&&|&amp;&amp;"), "Python writes `and` for `&&`"),
     (re.compile(r"\|\|"), "Python writes `or` for `||`"),
@@ -235,14 +240,18 @@ def _of_expression(problem: ExpansionFailure, visible: Definitions) -> Reason | 
     for found, words in _OTHER_LANGUAGES:
         if found.search(text):
             return Reason(words.replace("{}", text[2:-1].strip()))
-    invalid = re.fullmatch(r"Property names must be valid python identifiers: (.*)", problem.detail)
-    if invalid and re.sub(r"\W", "_", invalid[1]).isidentifier():
-        return (
-            Reason(f"write `{re.sub(_NO_LETTER, '_', invalid[1])}`")
-            if not keyword.iskeyword(invalid[1])
-            else None
-        )
-    return None
+    invalid = re.fullmatch(f"{WRONG_NAME} `(.*)`", problem.detail)
+    return None if invalid is None else _of_name(invalid[1])
+
+
+def _of_name(name: str) -> Reason | None:
+    """The reason why a property cannot have a name, and another one."""
+    if not name:
+        return Reason("give it one")
+    if keyword.iskeyword(name):
+        return Reason("Python has that word")
+    usable = _NO_LETTER.sub("_", name)
+    return Reason(f"write `{usable}`") if usable.isidentifier() else None
 
 
 def _of_value(problem: ExpansionFailure, document: Document) -> Reason | None:
@@ -351,19 +360,100 @@ class Giver(NamedTuple):
     span: Span
 
 
-def givers(span: Span, origins: Sequence[Step], document: Document) -> list[Giver]:
+def givers(span: Span, origins: Sequence[Step], document: Document, most: int = MOST) -> list[Giver]:
     """The texts that give their values to the names at a place, and to the names in these values."""
     visible = visible_definitions(document)
     found: list[Giver] = []
     waiting = [(span.text, span, tuple(origins))]
-    while waiting and len(found) < MOST:
+    while waiting and len(found) < most:
         text, place, way = waiting.pop(0)
         for name in _names(text):
             giver = giver_of(name, place, way, visible)
             if giver is not None and all(giver[0].span != known.span for known in found):
                 found.append(giver[0])
                 waiting.append((giver[0].text, giver[0].span, giver[1]))
-    return found[:MOST]
+    return found[:most]
+
+
+_COMPUTING = re.compile(
+    r"can't multiply sequence|for (?!\+)\S+: '|bad operand type|must be real number|not supported between"
+)
+"""In the messages of Python about values with which it cannot compute; what is added may be meant for texts."""
+_MISNUMBERED = re.compile(
+    r"\s*([-+]?(\d+[.,]?\d*|[.,]\d+)([.,]\d*|\s*[^\W\d_]{1,4}|\s*[°%])?|[-+]?(inf|nan)|[Tt]rue|[Ff]alse)\s*"
+)
+"""A text that is meant for a number, and may have a comma or a unit in it."""
+_MOST_TRIED = 20
+
+
+def at_values(found: Iterable[Problem], document: Document) -> list[Problem]:
+    """The problems; an expression that fails for one value is at the value, and those that fail for it too are not."""
+    moved = [_at_value(each, document) for each in found]
+    at_fault = set(values_at_fault(moved))
+    if not at_fault:
+        return moved
+    return [each for each in moved if at_fault.isdisjoint(_spans_of_givers(each, document))]
+
+
+def values_at_fault(found: Iterable[object]) -> Iterator[Span]:
+    """The places of the values for which expressions fail."""
+    for each in found:
+        if isinstance(each, ExpansionFailure) and each.kind is Failure.NUMBER:
+            yield each.span
+
+
+def _spans_of_givers(problem: Problem, document: Document) -> Iterator[Span]:
+    if isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
+        for each in givers(problem.span, problem.origins, document, _MOST_TRIED):
+            yield each.span
+
+
+def _at_value(problem: Problem, document: Document) -> Problem:
+    if not isinstance(problem, ExpansionFailure) or problem.kind is not Failure.EXPRESSION:
+        return problem
+    if problem.detail.endswith(NO_TRUTH):
+        reason = Reason("a condition asks for one of them", problem.span, "asked for here")
+        kind, tried = Failure.EXPRESSION, givers(problem.span, problem.origins, document)
+        given = next((each for each in tried if f"`{each.text}`{NO_TRUTH}" == problem.detail), None)
+    elif _OF_TEXT.search(problem.detail):
+        reason = Reason(f"`{problem.expression}` computes with it", problem.span, "computed with here")
+        kind, given = Failure.NUMBER, _wrong_number(problem, document)
+    else:
+        return problem
+    if given is None:
+        return problem
+    detail = given.text if kind is Failure.NUMBER else problem.detail
+    return problem.changed(
+        span=given.span, kind=kind, detail=detail, expression="", origins=(), reason=reason
+    )
+
+
+def _wrong_number(problem: ExpansionFailure, document: Document) -> Giver | None:
+    """The value with which an expression cannot compute: one meant for a number, else the only text that it names."""
+    given = misnumbered(problem.span, problem.origins, document)
+    if given is not None or not _COMPUTING.search(problem.detail):
+        return given
+    named = {*_names(problem.span.text)}
+    tried = givers(problem.span, problem.origins, document, _MOST_TRIED)
+    texts = [
+        each for each in tried if each.name in named and is_literal(each.text) and not _is_number(each.text)
+    ]
+    return texts[0] if len(texts) == 1 else None
+
+
+def misnumbered(span: Span, origins: Sequence[Step], document: Document) -> Giver | None:
+    """The text that gives a name at a place its value, if it is meant for a number but malformed."""
+    for each in givers(span, origins, document, _MOST_TRIED):
+        if _MISNUMBERED.fullmatch(each.text) and not _is_number(each.text):
+            return each
+    return None
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def _names(text: str) -> Iterator[str]:
@@ -419,7 +509,8 @@ def _inside(name: str, step: Step, macro: Macro, visible: Definitions) -> tuple[
                 span = source.span(attribute.value_start, attribute.value_end)
                 return Giver(name, span.text, span), True
         if parameter.default is not None:
-            return Giver(name, parameter.default, parameter_place(macro, parameter)), False
+            # Its names are those of the call.
+            return Giver(name, parameter.default, parameter_place(macro, parameter)), True
     return None, False
 
 

@@ -42,7 +42,7 @@ def lint(expander: Expander | None, path: Path, text: str, *sets: dict[str, str]
 
 
 def test_a_defect_in_a_macro_is_said_once_in_its_body(tmp_path: Path, expander: Expander) -> None:
-    calls = "".join(f'\n<xacro:leg side="{side}" mass="1,5"/>' for side in "abc")
+    calls = "".join(f'\n<xacro:leg side="{side}" mass="heavy"/>' for side in "abc")
     text = f'{HEAD}<model name="m">{LEG}</xacro:macro>{calls}</model></sdf>'
     found = [d for d in lint(expander, tmp_path / "r.sdf.xacro", text) if d.span.text == "${mass}"]
     assert len(found) == 1
@@ -52,11 +52,56 @@ def test_a_defect_in_a_macro_is_said_once_in_its_body(tmp_path: Path, expander: 
 
 
 def test_the_chain_is_that_of_the_call_at_fault(tmp_path: Path, expander: Expander) -> None:
-    masses = ("1", "1,5", "2")
+    masses = ("1", "heavy", "2")
     calls = "".join(f'\n<xacro:leg side="s{n}" mass="{mass}"/>' for n, mass in enumerate(masses))
     text = f'{HEAD}<model name="m">{LEG}</xacro:macro>{calls}</model></sdf>'
     found = [d for d in lint(expander, tmp_path / "r.sdf.xacro", text) if d.span.text == "${mass}"]
     assert [origin.span.begin.line for d in found for origin in d.origins] == [4]
+
+
+NUMBERS = (
+    "<xacro:property name='radius' value='0,05'/>\n<xacro:property name='height' value='0.1 m'/>\n"
+    "<xacro:property name='gap' value='${radius}'/>\n<xacro:property name='side' value='left'/>\n"
+    "<xacro:macro name='ball' params='name r far:=${height}'><link name='${name}'><visual>"
+    "<origin xyz='0 0 ${far / 2}'/><geometry><sphere radius='${r * 2}'/></geometry></visual></link>"
+    "<joint name='${name}_joint' type='fixed'><origin xyz='0 0 ${-r}'/><parent link='base'/>"
+    "<child link='${name}'/></joint></xacro:macro>\n<link name='base'/>\n"
+    "<xacro:ball name='a' r='${gap}'/>\n<xacro:ball name='b' r='5cm' far='1'/>\n"
+    "<xacro:ball name='c' r='1' far='1'/>\n"
+)
+
+
+def test_a_value_that_is_no_number_is_said_where_it_is_given_once(tmp_path: Path, expander: Expander) -> None:
+    text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{NUMBERS}</robot>'
+    found = [d for d in lint(expander, tmp_path / "r.urdf.xacro", text) if d.severity is Severity.ERROR]
+    assert [(d.span.begin.line, d.span.text) for d in found] == [(2, "0,05"), (3, "0.1 m"), (9, "5cm")]
+    assert all("is not a number" in d.message for d in found)
+
+
+ONE_MISTAKE = {
+    "<xacro:property name='1st' value='1'/><link name='${first}_link'/>": ["XAC001"],
+    "<xacro:macro name='m' paramss='n'><link name='${n}'/></xacro:macro><xacro:m n='a'/>": ["XAC011"],
+    "<xacro:macro name='m' params='n $(arg o'><link name='${n}${o}'/></xacro:macro><xacro:m n='a' o='b'/>": [
+        "XAC010"
+    ],
+    "<xacro:propertys name='o'><origin/></xacro:propertys><link name='a'><visual><xacro:insert_block name='o'/>"
+    "<geometry><sphere radius='1'/></geometry></visual></link>": ["XAC003"],
+    "<link><xacro:attribute name='name' value='a'/></link><link name='b${'/>": ["XAC010"],
+    "<xacro:call name='x'/><xacro:macro name='m' params='name'><link name='${name}'/></xacro:macro>": [
+        "XAC011"
+    ],
+    "<link><xacro:attribute name='${1 / 0}' value='a'/></link>": ["XAC001"],
+    "<link name='a'/><joint name='j' type='$$'><parent link='a'/><child link='b'/></joint><link name='b'/>": [
+        "XAC001"
+    ],
+}
+
+
+@pytest.mark.parametrize(("text", "codes"), ONE_MISTAKE.items())
+def test_one_mistake_is_one_error(text: str, codes: list[str], tmp_path: Path, expander: Expander) -> None:
+    text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{text}</robot>'
+    found = lint(expander, tmp_path / "r.urdf.xacro", text)
+    assert [d.code for d in found if d.severity is Severity.ERROR] == codes
 
 
 @pytest.mark.parametrize(("lower", "is_fixed"), [("2", True), ("${low}", False)])
