@@ -63,6 +63,10 @@ class OutOfRange(Rule):
             "<image><width>«0»</width><height>240</height></image>",
             says="`width` should be at least 1, not 0",
         ),
+        Bad(
+            "<lens><type>stereographic</type><env_texture_size>«1,5»</env_texture_size></lens>",
+            says="`env_texture_size` must be from 4 to 2048, not 1,5",
+        ),
         Bad("<clip><near>«10»</near><far>1</far></clip>", says="near 10 is above far 1"),
         Bad(
             "<geometry><box><size>1 «0» 1</size></box></geometry>",

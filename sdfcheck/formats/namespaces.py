@@ -189,7 +189,7 @@ class Namespaces:
     def tag(self, number: int) -> StartTag:
         """The start tag of an element by its number."""
         # Only texts with prefixes pay for it.
-        from sdfcheck.source.scanner.parse_tag import parse_start_tag
+        from sdfcheck.source.scanner.scan import parse_start_tag
 
         scan = self.document.scan
         return scan.odd.get(number) or parse_start_tag(self.document.source, scan.starts[number])[0]

@@ -48,10 +48,11 @@ from sdfcheck.source.record import Record
 
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.survey import Survey
+    from sdfcheck.robot.bridges import BridgeFault, BridgeGap
     from sdfcheck.robot.controllers import Parameter
     from sdfcheck.robot.motion.mass import MassProperties
     from sdfcheck.robot.naming.names import Names
-    from sdfcheck.robot.ros_files import BaseFrame, BridgeFault, BridgeGap, LaunchedWorld
+    from sdfcheck.robot.ros_files import BaseFrame, LaunchedWorld
     from sdfcheck.source.document import Document, Element
     from sdfcheck.source.text import Span
     from sdfcheck.xacro.static.launches import LaunchFault
@@ -322,7 +323,7 @@ class Root(Whole):
         """The sensors and systems whose messages no bridge to ROS of the project carries, though one means to."""
         if not self.elements.get("sensor") and not self.elements.get("plugin"):
             return ()
-        from sdfcheck.robot.ros_files import gaps
+        from sdfcheck.robot.bridges import gaps
 
         return tuple(gaps(self.document, self.each(Sensor), self.each(Plugin)))
 
@@ -427,7 +428,7 @@ class Root(Whole):
         """Where a launch file takes the time of Gazebo for the robot, which no bridge of its project carries."""
         if not any(model.links for model in self.models):
             return None
-        from sdfcheck.robot.ros_files import unbridged_clock
+        from sdfcheck.robot.bridges import unbridged_clock
 
         return unbridged_clock(self.document)
 
@@ -452,7 +453,7 @@ class Root(Whole):
         """The entries of bridges of the project that are not taken, and are for its sensors and systems."""
         if not self.elements.get("sensor") and not self.elements.get("plugin"):
             return ()
-        from sdfcheck.robot.ros_files import faults
+        from sdfcheck.robot.bridges import faults
 
         return tuple(faults(self.document, self.each(Sensor), self.each(Plugin)))
 

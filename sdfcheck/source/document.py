@@ -375,7 +375,7 @@ class Spans:
         return self.span(element, place.close + 2, place.close + 2 + len(name))
 
     def start_tag(self, element: Element) -> StartTag:
-        from sdfcheck.source.scanner.parse_tag import parse_start_tag
+        from sdfcheck.source.scanner.scan import parse_start_tag
 
         number = element.index
         if self._last is None or self._last[0] != number:

@@ -16,7 +16,7 @@ from sdfcheck.source.decode import EncodingDefect
 from sdfcheck.source.document import Document, read
 from sdfcheck.source.problems import SyntaxDefect
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.scanner.parse_tag import parse_start_tag
+from sdfcheck.source.scanner.scan import parse_start_tag
 from sdfcheck.source.scanner.start_tag import StartTag
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span, Step

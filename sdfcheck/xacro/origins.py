@@ -14,8 +14,7 @@ from sdfcheck.files.regular import Bounds, read_regular
 from sdfcheck.source.decode import decode
 from sdfcheck.source.document import Document, Element, Spans
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.scanner.parse_tag import parse_start_tag
-from sdfcheck.source.scanner.scan import Scan, quick_scan
+from sdfcheck.source.scanner.scan import Scan, parse_start_tag, quick_scan
 from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.sniff import Kind
 from sdfcheck.source.text import Source, Span, Step, relative_path

@@ -341,7 +341,7 @@ def _read_char(text: str, bounds: Range | None) -> Reading:
 
 def _read_double(text: str, bounds: Range | None, width: Width = Width.DOUBLE) -> Reading:
     if text.lower() in {"true", "false"}:
-        return _truth_value(text)
+        return _truth_value(text, bounds)
     number = leading_float(text, 0, width)
     _, end = word_at(text, 0)
     if number is None:
@@ -360,7 +360,7 @@ def _read_double(text: str, bounds: Range | None, width: Width = Width.DOUBLE) -
 
 def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Reading:
     if text.lower() in {"true", "false"}:
-        return _truth_value(text)
+        return _truth_value(text, bounds)
     found = leading_integer(text)
     _, word_end = word_at(text, 0)
     if found is None:
@@ -372,19 +372,21 @@ def _read_int(text: str, bounds: Range | None, unsigned: bool = False) -> Readin
     value = written % 2**32 if unsigned else written
     if value != written:
         return misread(0, word_end, Cause.NEGATIVE if written < 0 else Cause.TOO_LARGE, str(value))
-    if end < word_end:
+    outside = in_range(value, bounds, 0, word_end)
+    if end < word_end and not outside.refused:
         whole = leading_float(text)
         # `5.0` is cut to 5, which is what is meant, and so is `5.0000000000000003`, which was computed.
         if whole is None or whole.end < word_end or not math.isclose(whole.value, value, rel_tol=1e-9):
             return misread(0, word_end, rest_cause(text[end], whole=True), str(value))
-    outside = in_range(value, bounds, 0, word_end)
     if text[word_end:].strip(BLANKS) and not outside.refused:
         return misread(_next_word(text, word_end), len(text), Cause.EXTRA, str(value))
     return outside
 
 
-def _truth_value(text: str) -> Reading:
-    return misread(0, len(text), Cause.TRUTH_VALUE, "1" if text.lower() == "true" else "0")
+def _truth_value(text: str, bounds: Range | None) -> Reading:
+    value = int(text.lower() == "true")
+    outside = in_range(value, bounds, 0, len(text))
+    return outside if outside.refused else misread(0, len(text), Cause.TRUTH_VALUE, str(value))
 
 
 def _next_word(text: str, position: int) -> int:

@@ -7,7 +7,7 @@ from bisect import bisect_right
 from typing import TYPE_CHECKING, Any
 
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.scanner.start_tag import StartTag
+from sdfcheck.source.scanner.start_tag import START, StartTag, has_names, repeated_attributes, tag_of
 from sdfcheck.source.text import Source
 
 if TYPE_CHECKING:
@@ -135,3 +135,14 @@ class QuickScan(Scan):
 def quick_scan(source: Source) -> Scan:
     """The scan of a well-formed text."""
     return QuickScan(source)
+
+
+def parse_start_tag(source: Source, at: int) -> tuple[StartTag, list[Problem]]:
+    """Parse the start tag whose ``<`` is at ``at``; always returns one, and what is wrong with it."""
+    match = START.match(source.text, at)
+    if match is None or not has_names(match):
+        from sdfcheck.source.scanner.broken_tag import parse_broken_tag
+
+        return parse_broken_tag(source, source.text, at)
+    tag = tag_of(match)
+    return tag, repeated_attributes(source, tag)

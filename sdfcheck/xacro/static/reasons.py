@@ -16,7 +16,7 @@ from sdfcheck.files.regular import names_in
 from sdfcheck.files.uris import empty_folder, is_built
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.scanner.parse_tag import parse_start_tag
+from sdfcheck.source.scanner.scan import parse_start_tag
 from sdfcheck.source.text import Source, Span, Step, relative_path
 from sdfcheck.xacro.language import BUILT_IN, PREFIX, expressions, is_literal, substitutions
 from sdfcheck.xacro.problems import (

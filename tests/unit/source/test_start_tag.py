@@ -8,7 +8,7 @@ import pytest
 
 from sdfcheck.lint.example import unmark
 from sdfcheck.source.problems import RepeatedAttribute, SyntaxDefect, SyntaxKind
-from sdfcheck.source.scanner.parse_tag import parse_start_tag
+from sdfcheck.source.scanner.scan import parse_start_tag
 from sdfcheck.source.scanner.start_tag import START, StartTag
 from sdfcheck.source.text import Source
 
