@@ -69,6 +69,7 @@ class OversizedShape(Rule):
             files={"arm.obj": wedge(300)},
             says="the mesh `arm.obj` is 3 m long, and robot `boat` has 0.37 kg/m³ within its shapes, less than air"
             " (used 2 times): is its scale right?",
+            also=("GEO015",),
         ),
     )
     good = (
