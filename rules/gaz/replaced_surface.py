@@ -93,15 +93,15 @@ def lost(block: GazeboBlock) -> Iterator[tuple[Element, list[Element], str]]:
                 yield surface, gone, "in a later block takes their place"
             given, latest = [], surface
         own = [each for each in other.children() if each.name in PLACES]
-        astray = [each for each in own if latest is not None and latest.find(PLACES[each.name][0]) is None]
-        if latest is not None and astray:
+        misplaced = [each for each in own if latest is not None and latest.find(PLACES[each.name][0]) is None]
+        if latest is not None and misplaced:
             where = "beside it" if latest is surface else "in a block before"
             yield (
                 latest,
-                astray,
-                f"{where} is not in the first block, and has no `{PLACES[astray[0].name][0]}`",
+                misplaced,
+                f"{where} is not in the first block, and has no `{PLACES[misplaced[0].name][0]}`",
             )
-        given += [each for each in own if each not in astray]
+        given += [each for each in own if each not in misplaced]
 
 
 def surface_of(block: GazeboBlock) -> Element | None:
