@@ -85,15 +85,17 @@ def lost(block: GazeboBlock) -> Iterator[tuple[Element, list[Element], str]]:
         return
     given: list[Element] = []
     latest: Element | None = None
+    parts = {"friction", "contact"}
     for other in blocks:
         surface = surface_of(other)
         if surface is not None and other is not block:
-            gone = [each for each in given if not has(surface, each.name)]
+            kept = {name for name in PLACES if has(surface, name)}
+            gone = [each for each in given if each.name not in kept]
             if gone:
                 yield surface, gone, "in a later block takes their place"
-            given, latest = [], surface
+            given, latest, parts = [], surface, {each.name for each in surface.children()}
         own = [each for each in other.children() if each.name in PLACES]
-        misplaced = [each for each in own if latest is not None and latest.find(PLACES[each.name][0]) is None]
+        misplaced = [each for each in own if PLACES[each.name][0] not in parts]
         if latest is not None and misplaced:
             where = "beside it" if latest is surface else "in a block before"
             yield (
@@ -101,7 +103,7 @@ def lost(block: GazeboBlock) -> Iterator[tuple[Element, list[Element], str]]:
                 misplaced,
                 f"{where} is not in the first block, and has no `{PLACES[misplaced[0].name][0]}`",
             )
-        given += [each for each in own if each not in misplaced]
+        given += [each for each in own if PLACES[each.name][0] in parts]
 
 
 def surface_of(block: GazeboBlock) -> Element | None:
