@@ -33,6 +33,7 @@ FAILS = re.compile(r"^(?:classic|error|exception|assertion|no check; the lookup)
 """The words for one that does not run elsewhere."""
 BOUNDS = re.compile(r"(?:^|, )(?:(>=? 0)(?![.\d])|(\d+)\.\.(\d+)(?=[ ,]|$)|(-?\d) or (-?\d)(?=[ ,]|$))")
 """``> 0``, ``0..1``, ``2 or 3`` in the words for the unit and range of a number."""
+_LINK = {"kind": ["link"], "scope": "model", "scoped_names": False, "several": False}
 OWN: list[Facts] = [
     {
         "generation": "gazebo-classic",
@@ -51,9 +52,42 @@ OWN: list[Facts] = [
             {"name": "horizontal", "type": "container", "required": False},
             {"name": "vertical", "type": "container", "required": False},
         ],
-    }
+    },
+    {
+        "generation": "gazebo-classic",
+        "where": ["model"],
+        "elsewhere": "classic compares the registered plugin type with the place of the element: error, not loaded",
+        "file": "libSimpleTrackedVehiclePlugin.so",
+        "names": [],
+        "name_free": True,
+        "parameters": [
+            *(
+                {
+                    "name": name,
+                    "type": "string",
+                    "required": True,
+                    "if_missing": "error, throws",
+                    "refers": _LINK,
+                }
+                for name in ("body", "left_track", "right_track")
+            ),
+            *(
+                {"name": name, "type": "string", "required": False, "repeatable": True, "refers": _LINK}
+                for name in ("left_flipper", "right_flipper")
+            ),
+            *(
+                {"name": name, "type": "double", "required": False, "unit_range": "> 0"}
+                for name in ("max_linear_speed", "steering_efficiency", "tracks_separation")
+            ),
+            {"name": "max_angular_speed", "type": "double", "required": False, "unit_range": ">= 0"},
+            *(
+                {"name": name, "type": "string", "required": False}
+                for name in ("collide_without_contact_bitmask", "robot_namespace", "track_mu", "track_mu2")
+            ),
+        ],
+    },
 ]
-"""Plugins that FACTS lacks; that of the wind as Gazebo 11 has it."""
+"""Plugins that FACTS lacks: those of the wind and of a vehicle on tracks, as Gazebo 11 has them."""
 
 
 def table(facts: list[Facts]) -> str:

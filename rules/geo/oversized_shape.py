@@ -6,14 +6,19 @@ from sdfcheck_rules.geo.scaffolds import ARM, mesh, wedge
 
 MOST = 100.0
 """Times the longest distance between joints; the longest of 250 public robots is 71 times that long (a table)."""
-HUGE = 3.0
-"""m: a robot lighter than helium whose shapes are longer is in millimeters as a whole."""
 LEAST = 1.0
 """m: smaller shapes are not that of a machine in millimeters."""
 FLAT = 0.02
 """Times its length a floor is at most as thick."""
 THIN = 0.1
 """m: what is thinner was not meant in millimeters."""
+SCALED = '<visual><geometry><mesh filename="arm.obj" scale="«{0} {0} {0}»"/></geometry></visual>'
+HEAVY = f'<inertial><mass value="{{1}}"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>{SCALED}'
+HULL = (
+    f'<robot name="boat"><link name="hull">{HEAVY}</link><link name="pod">{HEAVY.replace("«", "").replace("»", "")}'
+    '</link><joint name="j" type="revolute"><origin xyz="0 0 0.3"/><parent link="hull"/><child link="pod"/>'
+    '<axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>'
+)
 LARGEST = 100.0
 """m: in 549 public robots with joints and meshes the longest shape is 0.05 to 2 m long; machines in millimeters have
 one of more than this, wherever their joints are."""
@@ -23,7 +28,8 @@ class OversizedShape(Rule):
     """A shape is a hundred times longer than the distances between the joints of its robot.
 
     Meshes have no unit in STL and OBJ: exported in millimeters, they are a thousand times too large, unless
-    `scale` says 0.001. Joints were then placed in meters, and the shapes do not fit them.
+    `scale` says 0.001, and ten times with 0.01. Joints were then placed in meters, and the shapes do not fit them, or
+    the robot is lighter than air of its size.
     """
 
     code = "GEO001"
@@ -57,8 +63,17 @@ class OversizedShape(Rule):
             files={"arm.obj": wedge(300)},
             says="the mesh `arm.obj` is 300 m long, and parts of robots are shorter than 100 m: is it in millimeters?",
         ),
+        Bad(
+            HULL.format("0.01", "0.1"),
+            scaffold="{}",
+            files={"arm.obj": wedge(300)},
+            says="the mesh `arm.obj` is 3 m long, and robot `boat` has 0.37 kg/m³ within its shapes, less than air"
+            " (used 2 times): is its scale right?",
+            also=("GEO015",),
+        ),
     )
     good = (
+        Good(HULL.format("0.001", "0.1"), scaffold="{}", files={"arm.obj": wedge(300)}),
         Good(mesh("visual", "arm.obj", ' scale="0.001 0.001 0.001"'), files={"arm.obj": wedge(300)}),
         Good(mesh("visual", "arm.obj"), files={"arm.obj": wedge(5)}, why="a platform"),
         Good(
@@ -85,16 +100,17 @@ class OversizedShape(Rule):
         what = f"mesh `{geometry.uri.rpartition('/')[2]}`" if is_mesh else geometry.shape
         place = geometry.scale.value or geometry.uri_value if is_mesh else written_size(shape)
         kind = "robot" if model.is_urdf else "model"
+        asked = "is its scale right" if is_mesh and geometry.scale.is_given else "is it in millimeters"
         compared = f"the joints of {kind} `{model.name}` are at most {model.reach:.3g} m apart"
         if max(box.size) <= MOST * model.reach:
             compared = (
-                f"{kind} `{model.name}` has {model.density:.2g} kg/m³ within its shapes, less than any gas"
+                f"{kind} `{model.name}` has {model.density:.2g} kg/m³ within its shapes, less than air"
                 if is_thin(model)
                 else f"parts of robots are shorter than {LARGEST:.0f} m"
             )
         yield self.diagnostic(
             place or shape,
-            f"the {what} is {max(box.size):.4g} m long, and {compared}{used(len(shapes))}: is it in millimeters?",
+            f"the {what} is {max(box.size):.4g} m long, and {compared}{used(len(shapes))}: {asked}?",
             labels=dict.fromkeys(shapes[1:4], "this one as well"),
         )
 
@@ -122,7 +138,7 @@ def is_long(link: Link) -> bool:
 
 
 def is_thin(model: Model) -> bool:
-    """Is it lighter than any gas of its size?"""
+    """Is it lighter than air?"""
     return model.is_out_of_scale and model.density < 1
 
 
@@ -134,7 +150,7 @@ def oversized(model: Model) -> list[Shape]:
     if model.is_urdf:
         most = min(most, LARGEST)
     if is_thin(model):
-        most = HUGE
+        most = LEAST
     joints = [joint for joint in model.joints if joint.type != "fixed"]
     moving = {end for joint in joints for end in (joint.parent_link, joint.child_link)}
     return [

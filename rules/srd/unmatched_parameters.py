@@ -26,19 +26,24 @@ def files(**texts: str) -> dict[str, str]:
 
 
 class UnmatchedParameters(Rule):
-    """A file of MoveIt's parameters names a joint, group or controller that is not there.
+    """A file of MoveIt's parameters names a joint, group or controller that is not there, or allows a joint too much.
 
     MoveIt says nothing of what it does not look for: limits of joints that are called otherwise, such as without their
     prefix, are not kept, and a group whose solver is under another name has no inverse kinematics. Trajectories go to a
     controller by its name: where the controller manager starts another one for these joints, MoveIt waits for it in
     vain and does not move the robot. Nor does it where no controller has a joint of the group that is planned for.
+    Speeds and positions take the place of those of the robot, also where they are beyond them: MoveIt plans what the
+    joint cannot do.
     Looked at are the files in the package of the only SRDF file of it, for ROS 2.
     """
 
     code = "SRD015"
     name = "unmatched-parameters"
     severity = Severity.WARNING
-    remedy = "Give the joints, groups and controllers one name in all files of the package."
+    remedy = """Give the joints, groups and controllers one name in all files of the package.
+
+    Limits are those of the robot, or stricter.
+    """
     looks_at = (Semantics,)
     scaffold = "{}"
 
@@ -48,6 +53,12 @@ class UnmatchedParameters(Rule):
             file=FILE,
             files=files(joint_limits=LIMIT.format("left_shoulder")),
             says="`joint_limits.yaml` limits joint `left_shoulder`, which robot `arm` does not have",
+        ),
+        Bad(
+            SRDF,
+            file=FILE,
+            files=files(joint_limits=LIMIT.format("shoulder").replace("1.0", "2.618")),
+            says="`joint_limits.yaml` has `max_velocity` 2.618 for joint `shoulder`, which has 2",
         ),
         Bad(
             SRDF,
@@ -81,7 +92,7 @@ class UnmatchedParameters(Rule):
             SOUND,
             file=FILE,
             files=files(
-                joint_limits=LIMIT.format("shoulder"),
+                joint_limits=LIMIT.format("shoulder") + "    max_position: 0.9\n",
                 kinematics=SOLVER.format("all"),
                 moveit_controllers=SENT.format("arm_controller", "shoulder"),
                 ros2_controllers=STARTED,

@@ -762,6 +762,8 @@ class MoveItFiles(NamedTuple):
     """The joints of all controllers that MoveIt knows."""
     servo: tuple[Parameter, ...] = ()
     """The group and the links of MoveIt's servo."""
+    allowed: tuple[tuple[str, Parameter], ...] = ()
+    """The joints and the bounds of positions and speeds that take the place of those of the robot."""
 
     def started_instead(self, sent: SentController) -> str:
         """The controller that is started for the joints of one that is not started, and to which nothing is sent."""
@@ -801,6 +803,7 @@ def moveit_files(texts: Mapping[str, Source]) -> MoveItFiles:
         ),
         frozenset(_handled(sent)),
         tuple(_servo(texts[SERVO], nodes[SERVO], 0)) if nodes.get(SERVO) is not None else (),
+        tuple(_allowed(texts[LIMITS], limits)) if limits is not None else (),
     )
 
 
@@ -823,6 +826,14 @@ def _read_limits(node: Any) -> Iterator[tuple[str, Kind, Any]]:
         off = tuple(f"_{kind}" for kind in _SWITCHED if not _is(limits, f"has_{kind}_limits", "true"))
         types = (word for word in _JOINT_LIMITS.types.split() if not word.endswith(off))
         yield name, Kind(types=" ".join(types)), limits
+
+
+def _allowed(source: Source, node: Any) -> Iterator[tuple[str, Parameter]]:
+    for name, limits in pairs(_get(node, "joint_limits")):
+        off = "velocity" if _is(limits, "has_velocity_limits", "false") else "-"
+        for key in ("max_velocity", "min_position", "max_position"):
+            for value in _texts(_get(limits, key)) if not key.endswith(off) else ():
+                yield name, Parameter(key, value.value, span_of(source, value))
 
 
 def _solved(source: Source, node: Any) -> Iterator[Parameter]:

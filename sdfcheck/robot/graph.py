@@ -3767,9 +3767,12 @@ class Model(Scope):
 
     @property
     def is_out_of_scale(self) -> bool:
-        """Is it, as a whole, lighter than any gas, or heavier than any material by far?"""
+        """Is it, as a whole, lighter than air, or heavier than any material by far?"""
         if not self.joints or self.may_be_static or not self.has_mesh:
             return False
+        if 0.05 < self.density < 1:  # of a small one, the masses may be placeholders
+            boxes = (shape.geometry.box for link in self.links for shape in link.shapes)
+            return any(box is not None and max(box.size) > 1 for box in boxes)
         return 0 < self.density < 0.05 or self.density > 1e6
 
     @property

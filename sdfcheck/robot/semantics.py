@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import chain, combinations
+from math import inf
 from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -272,6 +273,27 @@ class Semantics:
                 yield f"sends trajectories to `{sent.own_name}`, and {words}", sent.name.span
         yield from self._strange_to_servo
         yield from self._left_joints
+        yield from self._wider_limits
+
+    @property
+    def _wider_limits(self) -> Iterator[tuple[str, Span]]:
+        """Words about the first bound in a file that is beyond that of the joint, and how many more there are."""
+        robot = self._parameterized
+        found = []
+        for name, bound in self.parameters.allowed if robot is not None else ():
+            joint = robot.joints_by_name.get(name) if robot is not None else None
+            limit = joint.axis.limit if joint is not None and joint.axis_count == 1 else None
+            if joint is None or limit is None or not limit.is_given:
+                continue
+            own = {"max_velocity": limit.velocity, "min_position": limit.lower}.get(bound.name, limit.upper)
+            is_kept = own.number > 0 if bound.name == "max_velocity" else limit.range[0] > -inf
+            excess = (own.number - bound.number) * (1 if bound.name == "min_position" else -1)
+            if is_kept and excess > _SLACK * max(1.0, abs(own.number)):
+                found.append(
+                    (f"has `{bound.name}` {bound.content} for {joint.title}, which has {own.text}", bound)
+                )
+        for words, bound in found[:1]:
+            yield f"{words} in the robot{f' (and {len(found) - 1} more)' if found[1:] else ''}", bound.span
 
     @property
     def _strange_to_servo(self) -> Iterator[tuple[str, Span]]:
@@ -651,6 +673,8 @@ def _has_acceleration(joint: Joint) -> bool:
     return any(limit.attribute("acceleration") is not None for limit in joint.element.children("limit"))
 
 
+_SLACK = 0.01
+"""Of a bound, or rad, m, rad/s or m/s: rounded figures are no findings."""
 _SHORTEST, _WHOLE = 3, 6
 """Joints of an arm, and those that it takes to reach a place in any direction."""
 _PLAIN = frozenset(("continuous", "prismatic", "revolute"))

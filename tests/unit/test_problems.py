@@ -274,6 +274,8 @@ SYSTEMS = (
     '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics"/>\n'
     f'{COMMANDED}<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>\n'
 )
+DRAWN = '<plugin filename="gz-sim-sensors-system" name="gz::sim::systems::Sensors"/>\n'
+HULL = f'{MASS}\n<visual><geometry><mesh filename="a.stl" scale="@@"/></geometry></visual>'
 PAN = (
     f'<link name="head">{MASS}</link>\n<joint name="pan" type="continuous"><parent link="body"/><child link="head"/>'
     '<origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>\n'
@@ -2612,6 +2614,203 @@ PROBLEMS = {
         ),
         "<surface><friction><ode><mu1>1000</mu1></ode></friction></surface>",
         "",
+    ),
+    "a caster has a negative radius": Problem(
+        "SCH014",
+        robot(
+            CART,
+            f'<link name="caster">{MASS.replace("0.01", "0.0002")}\n'
+            '<collision><geometry><sphere radius="${@@*(0.07-0.05)}"/></geometry></collision></link>\n'
+            '<joint name="c" type="fixed"><parent link="body"/><child link="caster"/>'
+            '<origin xyz="-0.13 0 -0.05"/></joint>',
+            more=f' name="bot"{XACRO}',
+        ),
+        "-1",
+        "1",
+        suffix=".urdf.xacro",
+    ),
+    "damping is written as Bullet's own files do": Problem(
+        "URD001",
+        robot(ARM.replace("<limit", '<@@ damping="1" friction="0.2"/>\n<limit')),
+        "joint_properties",
+        "dynamics",
+    ),
+    "a link that slides has no mass": Problem(
+        "URD013",
+        robot(
+            '<link name="world"/>\n<link name="x">\n'
+            '<inertial><mass value="@@"/>'
+            '<inertia ixx="@@" iyy="@@" izz="@@" ixy="0" ixz="0" iyz="0"/></inertial>\n</link>\n',
+            f'<link name="body">{BODY}</link>\n<joint name="slide_x" type="prismatic"><parent link="world"/>'
+            '<child link="x"/><axis xyz="1 0 0"/><limit lower="-5" upper="5" effort="9" velocity="1"/></joint>\n'
+            '<joint name="slide_y" type="prismatic"><parent link="x"/><child link="body"/><axis xyz="0 1 0"/>'
+            '<limit lower="-5" upper="5" effort="9" velocity="1"/></joint>',
+        ),
+        "0",
+        "0.1",
+        -1,
+    ),
+    "the system for sensors is in a model of a world that has it": Problem(
+        "RES017",
+        world(
+            SYSTEMS,
+            DRAWN,
+            f'<model name="eye">\n@@<static>true</static><link name="l">{SDF_BODY}',
+            CAMERA.format("eye", 0.2, "eye"),
+            "</link></model>",
+        ),
+        DRAWN,
+        "",
+        suffix=".sdf",
+    ),
+    "a whole robot is to collide with itself": Problem(
+        "GAZ009",
+        robot(ARM, "<gazebo>\n<@@>true</@@>\n</gazebo>"),
+        "selfCollide",
+        "self_collide",
+    ),
+    "a camera floats before its arm": Problem(
+        "URD020",
+        robot(
+            ARM,
+            f'<link name="eye">{MASS}</link>\n<joint name="eye_joint" type="@@"><parent link="upper"/>'
+            '<child link="eye"/><origin xyz="0 0 0.4"/></joint>',
+        ),
+        "floating",
+        "fixed",
+    ),
+    "a finger follows a joint without its prefix": Problem(
+        "JNT009",
+        robot(
+            '<xacro:macro name="grip" params="prefix">\n',
+            ARM,
+            FINGER.replace('"finger"', '"${prefix}finger"').replace('"grip"', '"${prefix}grip"'),
+            FINGER.replace('"finger"', '"${prefix}thumb"')
+            .replace('"grip"', '"${prefix}thumb_joint"')
+            .replace("</joint>", '\n<mimic joint="@@grip"/></joint>'),
+            '</xacro:macro>\n<xacro:grip prefix="left_"/>',
+            more=f' name="bot"{XACRO}',
+        ),
+        "",
+        "${prefix}",
+        suffix=".urdf.xacro",
+    ),
+    "an argument is read as if it were a property": in_xacro(
+        '<xacro:arg name="camera" default="eye"/><xacro:include filename="part.xacro"/>\n<xacro:part p="@@"/>\n',
+        "${camera}",
+        "$(arg camera)",
+        "XAC004",
+    ),
+    "all meshes of a boat are ten times too large": Problem(
+        "GEO001",
+        robot(
+            '<link name="base_link"/><joint name="h" type="fixed"><parent link="base_link"/>'
+            f'<child link="hull"/></joint><link name="hull">{HULL}</link>\n<link name="pod">{HULL}</link>\n'
+            '<joint name="pod_joint" type="continuous"><parent link="hull"/><child link="pod"/>'
+            '<origin xyz="0 0 0.2"/><axis xyz="1 0 0"/></joint>'
+        ),
+        "10 10 10",
+        "1 1 1",
+        files={"a.stl": cube()},
+    ),
+    "a contact sensor names its collision as URDF has none": Problem(
+        "RES011",
+        robot(
+            ARM,
+            '<gazebo reference="upper"><sensor name="touch" type="contact"><contact>\n'
+            "<collision>@@</collision></contact></sensor></gazebo>",
+        ),
+        "collision",
+        "upper_collision",
+    ),
+    "an axis is in the frame of its model as in old versions": Problem(
+        "SCH008",
+        model(
+            f'<link name="hull">{SDF_BODY}</link>\n'
+            f'<link name="rotor"><pose>0.2 0.2 0.1 0.6 0 0.7854</pose>{SDF_MASS}</link>\n'
+            '<joint name="j" type="revolute"><parent>hull</parent><child>rotor</child><axis><xyz>0.48 -0.6 0.64</xyz>\n'
+            "@@</axis></joint>"
+        ),
+        "<use_parent_model_frame>1</use_parent_model_frame>",
+        "",
+        suffix=".sdf",
+    ),
+    "a buoy's receiver is nowhere on the earth": Problem(
+        "GAZ014",
+        world(
+            SYSTEMS,
+            '<plugin filename="gz-sim-navsat-system" name="gz::sim::systems::NavSat"/>\n@@<model name="m">'
+            '<link name="l">\n'
+            f'<sensor name="s" type="navsat"><topic>fix</topic></sensor>{SDF_BODY}</link></model>',
+        ),
+        "",
+        "<spherical_coordinates><surface_model>EARTH_WGS84</surface_model><latitude_deg>1</latitude_deg>"
+        "<longitude_deg>1</longitude_deg><elevation>0</elevation><heading_deg>0</heading_deg></spherical_coordinates>",
+        1,
+        ".sdf",
+    ),
+    "planning may be faster than the robot": Problem(
+        "SRD015",
+        '<robot name="bot">\n<group name="arm"><chain base_link="base" tip_link="upper"/></group>\n</robot>',
+        "2.618",
+        "2.0",
+        1,
+        ".srdf",
+        {
+            **PLANNED,
+            "bot.urdf": robot(ARM),
+            "joint_limits.yaml": "joint_limits:\n  shoulder: {has_velocity_limits: true, max_velocity: @@, "
+            "has_acceleration_limits: true, max_acceleration: 1.0}\n",
+        },
+    ),
+    "the body of a vehicle on tracks is called otherwise": Problem(
+        "RES014",
+        '<?xml version="1.0"?>\n<sdf version="1.6">\n<model name="m">\n'
+        + "".join(
+            f'<link name="{name}">{SDF_BODY}</link>\n' for name in ("base_link", "left_track", "right_track")
+        )
+        + "".join(
+            f'<joint name="{side}" type="fixed"><parent>base_link</parent><child>{side}_track</child></joint>\n'
+            for side in ("left", "right")
+        )
+        + '<plugin name="tracks" filename="libSimpleTrackedVehiclePlugin.so">\n<body>@@</body>\n'
+        "<left_track>left_track</left_track><right_track>right_track</right_track></plugin>\n</model>\n</sdf>\n",
+        "body",
+        "base_link",
+        suffix=".sdf",
+    ),
+    "a macro has a parameter that its caller does not know": in_xacro(
+        '<xacro:macro name="tool" params="parent@@"><xacro:if value="${lit}"><link name="lamp"/>'
+        '<joint name="lamp_joint" type="fixed"><parent link="${parent}"/><child link="lamp"/></joint></xacro:if>'
+        '</xacro:macro>\n<link name="base"/>\n<xacro:tool parent="base"/>',
+        " lit",
+        " lit:=false",
+        "XAC008",
+    )._replace(below=2),
+    "a folder stands where xacro is to read values": Problem(
+        "XAC001",
+        robot(
+            '<xacro:arg name="limits" default="@@"/>\n'
+            '<xacro:property name="limits" value="${xacro.load_yaml(\'$(arg limits)\')}"/>\n',
+            ARM.replace('effort="10"', "effort=\"${limits['shoulder']}\""),
+            more=f' name="bot"{XACRO}',
+        ),
+        "",
+        "limits.yaml",
+        1,
+        ".urdf.xacro",
+        {"limits.yaml": "shoulder: 10.0\n"},
+    ),
+    "a block about a foot that has a surface is not the first": Problem(
+        "GAZ042",
+        robot(
+            ARM,
+            '@@<gazebo reference="upper">\n<kp>1e7</kp>\n<collision><surface><bounce><threshold>9</threshold></bounce>'
+            "</surface></collision>\n</gazebo>",
+        ),
+        '<gazebo reference="upper"><sensor name="imu" type="imu"><topic>imu</topic></sensor></gazebo>',
+        "",
+        1,
     ),
 }
 
