@@ -47,7 +47,7 @@ class UnknownCanonicalLink(Rule):
             return False
         name = model.canonical_link_name
         node = model.resolve(name)
-        return model.lacks(name) if node is None else node.kind != "link"
+        return model.lacks(name) and not model.has_lost(name) if node is None else node.kind != "link"
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
         value, name = model.canonical_link_value, model.canonical_link_name

@@ -97,7 +97,7 @@ class UnknownFrame(Rule):
 
     @staticmethod
     def applies(reference: FrameReference) -> bool:
-        return reference.is_unresolved
+        return reference.is_unresolved and not (reference.scope and reference.scope.has_lost(reference.name))
 
     def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         name, scope = reference.name, reference.scope

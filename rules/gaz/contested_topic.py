@@ -136,6 +136,8 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
         if value is None or sensor.topic in UNSAID or "$" in sensor.topic or "{" in sensor.topic:
             continue
         first, other = topics.setdefault((outermost(sensor), sensor.topic), (value, sensor))
+        if other is not sensor and (other.holder, other.name) == (sensor.holder, sensor.name):
+            continue  # it is there twice
         if first is not value and other is not sensor:
             yield first, value, f"{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does"
         elif sensor.type in CAMERAS and (camera := sensor.find("camera")) is not None:

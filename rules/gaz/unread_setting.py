@@ -49,7 +49,7 @@ class UnreadSetting(Rule):
 
     @staticmethod
     def applies(block: GazeboBlock) -> bool:
-        return any(block.unread_settings)
+        return not block.misspells("reference") and any(block.unread_settings)
 
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         misplaced: dict[str, list[Element]] = {}

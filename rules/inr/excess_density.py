@@ -1,5 +1,5 @@
 from collections.abc import Iterator
-from math import prod
+from math import inf, prod
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.moments import is_doubtful, is_out_of_scale
@@ -100,7 +100,7 @@ def is_too_dense(inertial: Inertial) -> bool:
     mass, found = inertial.mass.number, density(inertial)
     if (
         not found > HEAVIEST
-        or not mass >= LEAST
+        or not LEAST <= mass < inf
         or any(joint.is_fixed for joint in inertial.link.parent_joints)
     ):
         return False

@@ -78,6 +78,6 @@ def span(mimic: Mimic) -> tuple[float, float] | None:
     own_low, own_high = joint.axis.limit.range
     if not -inf < low < high < inf or not own_low < own_high:
         return None
-    ends = sorted(float(mimic.multiplier) * end + float(mimic.offset) for end in (low, high))
+    ends = sorted(mimic.multiplier.number * end + mimic.offset.number for end in (low, high))
     room = SHARE * (ends[1] - ends[0])
     return (ends[0], ends[1]) if ends[0] < own_low - room or ends[1] > own_high + room else None

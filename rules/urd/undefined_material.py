@@ -86,7 +86,8 @@ class UndefinedMaterial(Rule):
             yield self.diagnostic(material, f"{material.title} has neither color nor texture")
         for material, first in robot.material_names.redefined:
             yield self.redefined(material, first)
-        for name, uses in robot.material_names.undefined.items():
+        undefined = robot.material_names.undefined if not robot.misspells("material") else {}
+        for name, uses in undefined.items():
             yield self.undefined(robot, name, uses)
 
     def redefined(self, material: Material, first: Material) -> Diagnostic:

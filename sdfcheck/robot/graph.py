@@ -113,6 +113,11 @@ class Inertial(Part):
             return float(self.mass) != 0
         return self._mass_value is not None and self._mass_value.number != 0
 
+    @property
+    def lacks_mass(self) -> bool:
+        """Is it written without a mass, or without the value of that?"""
+        return self.is_given and (self._mass_value is None or not self._mass_value.text.strip())
+
     @lazy
     def _mass_value(self) -> Value | None:
         mass = self.find("mass")
@@ -1968,8 +1973,12 @@ class Plugin(Part):
 
     @property
     def unresolved(self) -> tuple[PluginReference, ...]:
-        """The parameters that name a joint or link which its model does not have."""
-        return tuple(reference for reference in self.references if reference.is_unresolved)
+        """The parameters that name a joint or link which its model does not have, and no part of it has lost."""
+        return tuple(
+            each
+            for each in self.references
+            if each.is_unresolved and (each.node or not each.model.has_lost(each.value.text.strip()))
+        )
 
     @property
     def scoped(self) -> tuple[PluginReference, ...]:
@@ -2580,9 +2589,10 @@ class JointNames(Part):
 
     @property
     def unresolved(self) -> tuple[Value, ...]:
-        """The names that no joint of the robot has; what is yet to be expanded is left out."""
+        """The names that no joint of the robot has, or has lost; what is yet to be expanded is left out."""
         known = self.model.driven
-        return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
+        unknown = (v for v in self.joint_names if v.text not in known and not is_expression(v.text))
+        return tuple(v for v in unknown if not self.model.has_lost(v.text))
 
 
 class Transmission(JointNames):
@@ -3102,7 +3112,7 @@ def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
     if not unresolved:
         return frozenset()
     parts = [child for child in scope.children() if child.name in NODES]
-    names = [name for part in parts if (name := part.attributes.get("name", ""))]
+    names = [name for part in parts if (name := part.attributes.get("name", "").strip())]
     nameless = len(parts) - len(names) + sum(map(scope.misspells, NODES))
     if len(unresolved) <= nameless:
         return frozenset(unresolved)
@@ -3182,6 +3192,10 @@ class Scope(Namespace):
     def lost_names(self) -> frozenset[str]:
         """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
         return lost_names(self, self.unresolved)
+
+    def has_lost(self, name: str) -> bool:
+        """May a name that nothing has be that of a part which has lost its name?"""
+        return name in lost_names(self, {*self.unresolved, name})
 
     # Parts by name
 
@@ -3269,7 +3283,7 @@ class LinkNames:
 
     @property
     def _unnamed(self) -> int:
-        return sum(not link.name or is_expression(link.name) for link in self.model.links)
+        return sum(not link.name.strip() or is_expression(link.name) for link in self.model.links)
 
     @property
     def _nameless(self) -> int:
@@ -3825,6 +3839,11 @@ class GazeboBlock(Part):
     def __init__(self, holder: Part, element: Element | None) -> None:
         super().__init__(holder, element)
         self.is_urdf = False
+
+    def misspells(self, name: str) -> bool:
+        from sdfcheck.formats.urdf.findings import misspells
+
+        return misspells(self.element, name)
 
     @property
     def model(self) -> Model:

@@ -108,7 +108,7 @@ def meant_attribute(element: Element, name: str, place: Definition) -> str | Non
     missing = [each for each in place.attributes if each not in element.attributes]
     word = _OTHER_WORDS.get(name)
     near = suggest(name, missing) or (word if word in missing else None)
-    if near is not None or name in _OTHER_MEASURES or element.name in {"inertia", "limit"}:
+    if near is not None or name in _OTHER_MEASURES or element.name == "limit":
         return near
     # The one attribute that is too many must mean the one that the element cannot do without.
     strange = [each for each in element.attributes if each not in place.attributes and ":" not in each]
