@@ -60,6 +60,10 @@ def systems(world: World) -> list[Plugin]:
 
 def stands_still(world: World) -> bool:
     """Does it list systems without physics, and has a joint that is to move?"""
-    if not systems(world) or any("physics" in plugin.filename for plugin in world.root.each(Plugin)):
+    if (
+        not systems(world)
+        or world.has_unclear_system
+        or any("physics" in plugin.filename for plugin in world.root.each(Plugin))
+    ):
         return False
     return any(joint.moves for model in world.models if not model.may_be_static for joint in model.joints)

@@ -82,7 +82,11 @@ def sunken(world: World) -> Iterator[tuple[Model, Shape, float]]:
         each.get("name") for state in world.element.children("state") for each in state.children("model")
     }
     for model in world.models if floor is not None else ():
-        is_held = model.may_be_static or any(joint.parent_name == "world" for joint in model.joints)
+        is_held = (
+            model.may_be_static
+            or model.misspells("pose")
+            or any(joint.parent_name == "world" for joint in model.joints)
+        )
         lowest = None if is_held or model.name in recorded else model.lowest
         if floor is not None and lowest is not None and lowest[1] < floor - DEEP:
             yield model, lowest[0], floor - lowest[1]

@@ -80,7 +80,7 @@ class PlaceholderInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return is_first(inertial, is_placeholder)
+        return not inertial.misspells("inertia") and is_first(inertial, is_placeholder)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         is_written, mass = inertial.inertia is not None, inertial.mass.number

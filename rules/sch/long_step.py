@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from math import inf
 
 from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Physics, Rule, Sensor, Severity, World
 
@@ -47,7 +48,7 @@ class LongStep(Rule):
 
     @staticmethod
     def applies(physics: Physics) -> bool:
-        return physics.max_step_size.number >= MOST or hurried(physics) is not None
+        return MOST <= physics.max_step_size.number < inf or hurried(physics) is not None
 
     def check(self, physics: Physics) -> Iterator[Diagnostic]:
         step, sensor = physics.max_step_size, hurried(physics)
@@ -61,7 +62,9 @@ class LongStep(Rule):
 def hurried(physics: Physics) -> Sensor | None:
     """The first sensor of its world that is to report more often than physics steps."""
     step, world = physics.max_step_size, physics.within(World)
-    if not step.is_given or not step.number > 0 or world is None or len(world.physics) > 1:
+    if not step.is_given or not 0 < step.number < inf or world is None or len(world.physics) > 1:
         return None
-    sensors = (each for each in physics.root.each(Sensor) if each.update_rate.number * step.number > ROUNDED)
+    sensors = (
+        each for each in physics.root.each(Sensor) if inf > each.update_rate.number * step.number > ROUNDED
+    )
     return next((sensor for sensor in sensors if sensor.within(World) is world), None)

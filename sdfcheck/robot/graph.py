@@ -4055,6 +4055,12 @@ class World(Scope):
                 heights.add(0.0)
         return heights.pop() if len(heights) == 1 else None
 
+    @property
+    def has_unclear_system(self) -> bool:
+        """Is a plugin of it misspelled, or the file of one, so that it may be any system?"""
+        unclear = (plugin for plugin in self.plugins if not plugin.filename.strip() or plugin.meant_file)
+        return next(unclear, None) is not None or self.misspells("plugin")
+
     @lazy
     def unserved_sensors(self) -> tuple[tuple[Sensor, tuple[str, ...]], ...]:
         """Its sensors that need a system of Gazebo which is not there, with those that would do.
@@ -4069,6 +4075,8 @@ class World(Scope):
         plugins: list[Plugin] = list(self.root.each("Plugin"))
         present = {plugin.known.file for plugin in plugins if plugin.known is not None}
         if not any(plugin.known is not None and plugin.known.generation == GZ_SIM for plugin in self.plugins):
+            return ()
+        if self.has_unclear_system:
             return ()
         needs = served()
         sensors: list[Sensor] = [s for s in self.root.each("Sensor") if s.within(World) is self]
