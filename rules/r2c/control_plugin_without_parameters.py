@@ -61,14 +61,6 @@ class ControlPluginWithoutParameters(Rule):
             says="`cofing/control.yaml` is not in package `arm`; there is `config/control.yaml`",
             also=("R2C037",),
         ),
-        Bad(
-            FOUND.format("«$(find arm_tools)/config/control.yaml»"),
-            scaffold=XACRO,
-            file=FILE,
-            files=FILES | {"arm/arm_tools/__init__.py": ""},
-            says="`arm_tools` is a folder in this package, and no package",
-            also=("R2C037",),
-        ),
     )
     good = (
         Good(FOUND.format("$(find arm)/config/control.yaml"), scaffold=XACRO, file=FILE, files=FILES),
@@ -111,9 +103,6 @@ class ControlPluginWithoutParameters(Rule):
             path = value.span.text.strip()
             package, _, inside = path.removeprefix("$(find ").partition(")/")
             message = f"`{inside}` is not in package `{package.strip()}`"
-            if near == inside:
-                message = f"`{package.strip()}` is a folder in this package, and no package"
-                near = ""
             yield self.diagnostic(value, f"{message}; there is `{near}`" if near else message)
             return
         yield self.diagnostic(plugin, f"{plugin.title} needs `<parameters>`, the file with its controllers")

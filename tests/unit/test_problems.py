@@ -747,6 +747,16 @@ PROBLEMS = {
         "RES001",
         **{"package.xml": '<package format="3"><name>scan_xd</name><version>1.0.0</version></package>'},
     ),
+    "a folder of a package is taken for one": meshed(
+        "package://@@/meshes/a.stl",
+        "description",
+        "pathfinder/description",
+        "RES001",
+        **{
+            "package.xml": "<package><name>pathfinder</name></package>",
+            "description/meshes/a.stl": cube(),
+        },
+    ),
     # Drives
     "a drive and ros2_control turn one wheel": Problem(
         "GAZ023",
