@@ -359,7 +359,7 @@ class Packages:
 
     def _layout(self, folder: Path, lists: Path) -> list[tuple[str, str]]:
         if folder not in self._installed:
-            self._installed[folder] = list(_install_rules(_read(lists)))
+            self._installed[folder] = list(islice(_install_rules(_read(lists)), _MOST_INSTALLED))
         return self._installed[folder]
 
 
