@@ -54,14 +54,6 @@ class MalformedUri(Rule):
             says="needs exactly two slashes after it",
         ),
         Bad(
-            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="l">'
-            f"{URDF_MESH.format('«package://$(find arm)/meshes/arm.stl»')}</link></robot>",
-            scaffold="{}",
-            file="urdf/arm.urdf.xacro",
-            files={"package.xml": "<package><name>arm</name></package>"},
-            says="`package:` takes a name, and an absolute path follows: `file:` takes one",
-        ),
-        Bad(
             MESH.format("«model:\\\\arm\\arm.dae»"),
             fixed=MESH.format("model://arm/arm.dae"),
             says="backslashes",
@@ -92,6 +84,14 @@ class MalformedUri(Rule):
             fixed=URDF_MESH.format("package://arm/arm.stl"),
             scaffold=IN_URDF_LINK,
             says="space",
+        ),
+        Bad(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="l">'
+            f"{URDF_MESH.format('«package://$(find arm)/meshes/arm.stl»')}</link></robot>",
+            scaffold="{}",
+            file="urdf/arm.urdf.xacro",
+            files={"package.xml": "<package><name>arm</name></package>"},
+            says="`package:` takes a name, and an absolute path follows: `file:` takes one",
         ),
     )
     good = (

@@ -403,7 +403,7 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
 def is_part(folder: str) -> bool:
     """Is a folder one in a package, which no program takes for a package of its name?
 
-    One of meshes or the like, or one directly in the package that is no model.
+    One of meshes or the like, or one directly in the package that is not a model.
     """
     around, path = package_around(os.path.join(folder, "file")), os.path.abspath(folder)
     if around is None or around[0] == path:

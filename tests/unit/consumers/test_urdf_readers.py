@@ -156,7 +156,7 @@ def test_a_consumer_that_is_asked_for_refuses_what_the_others_take(tmp_path: Pat
     assert refusing(text.replace("<robot", '<robot xmlns:gz="urn:gz"'), tmp_path) == set()
 
 
-def test_what_a_branch_holds_that_is_not_taken_does_not_count(tmp_path: Path) -> None:
+def test_a_branch_that_is_not_taken_has_no_reactions(tmp_path: Path) -> None:
     text = (
         '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:property name="n" value="1"/>'
         f'<link name="b">{INERTIAL}</link><xacro:if value="${{n == 2}}"><link name="a">'
