@@ -20,19 +20,20 @@ PREFIX = "Gazebo/"
 COLORS = frozenset(
     """
     Black BlackTransparent Blue BlueGlow BlueLaser BlueTransparent BlueTransparentOverlay Bricks
-    BuildingFrame CameraDistortionMap CeilingTiled Chrome CloudySky CoM DarkGrey
-    DarkMagentaTransparent DarkOrangeTransparent DarkOrangeTransparentOverlay DarkYellow DepthMap
-    FlatBlack Footway GaussianCameraNoise Gold Grass Green GreenGlow GreenTransparent
-    GreenTransparentOverlay Grey GreyGradientSky GreyTransparent Indigo JointAnchor Lane_1 Lanes_2
-    Lanes_4 Lanes_6 LaserScan1st LaserScan2nd LightBlueLaser LightOff LightOn Motorway Orange
-    OrangeTransparent OrangeTransparentOverlay PaintedWall Pedestrian Pioneer2Body PioneerBody
-    PointCloud PointHandle Primary Purple PurpleGlow Red RedBright RedGlow RedTransparent
-    RedTransparentOverlay Residential Road Runway RustyBarrel RustySteel Secondary SkyBlue Steps
-    Tertiary Trunk Turquoise TurquoiseGlow TurquoiseGlowOutline White WhiteGlow WideLensMap
-    WindowFrame Wood WoodFloor WoodPallet XYZPoints Yellow YellowGlow YellowTransparent ZincYellow
+    BuildingFrame CameraDistortionMap CameraLensFlare CeilingTiled Chrome CloudySky CoM DarkGray
+    DarkGrey DarkMagentaTransparent DarkOrangeTransparent DarkOrangeTransparentOverlay DarkYellow
+    DepthMap Editor EditorPlane FlatBlack Footway GaussianCameraNoise Gold Grass Gray Green
+    GreenGlow GreenTransparent GreenTransparentOverlay Grey GreyGradientSky GreyTransparent Indigo
+    JointAnchor Lane_1 Lanes_2 Lanes_4 Lanes_6 LaserScan1st LaserScan2nd LightBlueLaser LightOff
+    LightOn Motorway Orange OrangeTransparent OrangeTransparentOverlay PaintedWall Pedestrian
+    Pioneer2Body PioneerBody PointCloud PointHandle Primary Purple PurpleGlow Red RedBright RedGlow
+    RedTransparent RedTransparentOverlay Reflectance Residential Road Runway RustyBarrel RustySteel
+    Secondary SkyBlue Steps Tertiary Trunk Turquoise TurquoiseGlow TurquoiseGlowOutline White
+    WhiteGlow WideLensMap WindowFrame Wood WoodFloor WoodPallet XYZNormals XYZPoints Yellow
+    YellowGlow YellowTransparent ZincYellow
     """.split()
 )
-"""The names in gazebo.material of Gazebo Classic; recent releases of Gazebo know most of the plain colors."""
+"""The names in gazebo.material of Gazebo Classic, and of the `MaterialParser` of gz-sim, which knows most of them."""
 SCRIPT = (
     "<geometry><sphere><radius>1</radius></sphere></geometry><material><script>"
     "<uri>file://media/materials/scripts/gazebo.material</uri><name>{}</name></script>"
@@ -43,8 +44,8 @@ SCRIPT = (
 class UnknownPaletteColor(Rule):
     """The name of a material is not one of the palette of Gazebo.
 
-    Case counts, and it is `Grey`, not `Gray`. Gazebo shows the default color in its place. Names that begin otherwise
-    than `Gazebo/`, or are of another script, are somebody's own.
+    Case counts. Gazebo shows the default color in its place. Names that begin otherwise than `Gazebo/`, or are of
+    another script, are somebody's own.
     """
 
     code = "GAZ010"
@@ -79,18 +80,22 @@ class UnknownPaletteColor(Rule):
             says="no material of Gazebo is called `Gazebo/Silver` (used 2 times): it shows its default color",
         ),
         Bad(
-            SCRIPT.format("«Gazebo/Gray»"),
+            SCRIPT.format("«Gazebo/Gras»"),
             scaffold=IN_VISUAL,
-            fixed=SCRIPT.format("Gazebo/Grey"),
+            fixed=SCRIPT.format("Gazebo/Grass"),
             unsafe=True,
         ),
     )
     good = (
         Good('<gazebo reference="base"><material>Gazebo/Grey</material></gazebo>'),
         Good('<gazebo reference="base"><material>My/OwnPaint</material></gazebo>'),
-        Good(SCRIPT.format("Gazebo/Grass"), scaffold=IN_VISUAL),
         Good(
-            SCRIPT.format("Gazebo/Gray").replace(
+            SCRIPT.format("Gazebo/Gray"),
+            scaffold=IN_VISUAL,
+            why="another spelling of `Gazebo/Grey`, since Gazebo 8",
+        ),
+        Good(
+            SCRIPT.format("Gazebo/Pebbles").replace(
                 "file://media/materials/scripts/gazebo.material", "model://m/own"
             ),
             scaffold=IN_VISUAL,

@@ -9,7 +9,6 @@ from sdfcheck import (
     Good,
     Joint,
     Link,
-    Reaction,
     Root,
     Rule,
     Severity,
@@ -21,6 +20,8 @@ from sdfcheck import (
 
 HUNG = {Consumer.PINOCCHIO: warns("hangs the link on the joint whose name comes last")}
 HELD = {Consumer.DRAKE: accepts("holds the link, as nothing else joins its parents")}
+LABELS = 10
+"""So many places of one link are shown."""
 DROPPED = {Consumer.GAZEBO: drops("the link, which has no mass")}
 
 
@@ -103,19 +104,10 @@ class SeveralParents(Rule):
                 affects = affects | DROPPED
             if link not in closed:
                 affects = affects | HELD
-            for joint in further:
-                yield self._one_more(joint, joints[0], message, affects)
-
-    def _one_more(
-        self, joint: Joint, first: Joint, message: str, affects: dict[Consumer, Reaction]
-    ) -> Diagnostic:
-        return self.diagnostic(
-            joint.child_value or joint,
-            message,
-            labels={first.child_value or first: "first a child here"},
-            severity=Severity.ERROR if joint.is_urdf else None,
-            affects=affects,
-        )
+            labels = {joints[0].child_value or joints[0]: "first a child here"}
+            labels |= {joint.child_value or joint: "and here" for joint in further[1:LABELS]}
+            place, severity = further[0].child_value or further[0], Severity.ERROR if link.is_urdf else None
+            yield self.diagnostic(place, message, labels=labels, severity=severity, affects=affects)
 
 
 def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]]:

@@ -131,6 +131,14 @@ class InvalidModelConfig(Rule):
             files={"arm.sdf": ARM},
             says="version 1.6 is not that of the file, which declares 1.12",
         ),
+        Bad(
+            '<sdf version="«1»">arm.sdf</sdf>',
+            fixed='<sdf version="1.12">arm.sdf</sdf>',
+            unsafe=True,
+            file=CONFIG,
+            files={"arm.sdf": ARM},
+            says="version 1 is not that of the file",
+        ),
         Bad("<«sdf»>arm.sdf</sdf>", file=CONFIG, files={"arm.sdf": ARM}, says="no `version`"),
         Bad('<sdf version="«1.99»">arm.sdf</sdf>', file=CONFIG, files={"arm.sdf": ARM}, says="newer"),
         Bad(

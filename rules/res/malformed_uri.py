@@ -22,7 +22,7 @@ from sdfcheck_rules.res.places import needs_no_escape
 MESH = "<geometry><mesh><uri>{}</uri></mesh></geometry>"
 URDF_MESH = '<visual><geometry><mesh filename="{}"/></geometry></visual>'
 # libsdformat cuts off a scheme, whichever it is, together with its slashes.
-CUT_OFF = frozenset({UriFault.SLASHES, UriFault.SCHEME_CASE, UriFault.UNKNOWN_SCHEME})
+CUT_OFF = frozenset({UriFault.SLASHES, UriFault.ABSOLUTE, UriFault.SCHEME_CASE, UriFault.UNKNOWN_SCHEME})
 
 
 class MalformedUri(Rule):
@@ -85,6 +85,14 @@ class MalformedUri(Rule):
             scaffold=IN_URDF_LINK,
             says="space",
         ),
+        Bad(
+            '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="l">'
+            f"{URDF_MESH.format('«package://$(find arm)/meshes/arm.stl»')}</link></robot>",
+            scaffold="{}",
+            file="urdf/arm.urdf.xacro",
+            files={"package.xml": "<package><name>arm</name></package>"},
+            says="`package:` takes a name, and an absolute path follows: `file:` takes one",
+        ),
     )
     good = (
         Good(
@@ -114,6 +122,7 @@ class MalformedUri(Rule):
         message = {
             UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",
             UriFault.SLASHES: f"`{scheme}:` needs exactly two slashes after it in `{text}`",
+            UriFault.ABSOLUTE: f"`{scheme}:` takes a name, and an absolute path follows: `file:` takes one",
             UriFault.SCHEME_CASE: f"the scheme `{scheme}` should be in lower case",
             UriFault.UNKNOWN_SCHEME: f"the scheme `{scheme}` is not known",
             UriFault.NO_NAME: f"`{text}` names no {scheme.lower()}",

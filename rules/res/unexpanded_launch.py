@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Root, Rule, Severity
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, accepts
 
 ROBOT = (
     '<{} xmlns:xacro="http://www.ros.org/wiki/xacro" name="r"><xacro:property name="n" value="a"/>'
@@ -20,6 +20,8 @@ WORDS = {
     "read": "gives this file to its nodes as it is written, and no consumer of URDF knows xacro",
     "gone": "expands this file with `xacro.py`, which Noetic does not have",
 }
+
+TAKEN = dict.fromkeys(Consumer, accepts("takes what other releases of xacro expand it to"))
 
 
 def launch(text: str, name: str = "view.launch.py") -> dict[str, str]:
@@ -88,5 +90,8 @@ class UnexpandedLaunch(Rule):
         fault = root.launch_fault
         assert fault is not None
         message = f"`{fault.span.source.path.name}` {WORDS[fault.kind]}"
-        severity = Severity.INFO if fault.kind == "gone" else None
-        yield self.diagnostic(root.element, message, labels={fault.span: "here"}, severity=severity)
+        labels = {fault.span: "here"}
+        if fault.kind == "gone":
+            yield self.diagnostic(root.element, message, labels=labels, severity=Severity.INFO, affects=TAKEN)
+        else:
+            yield self.diagnostic(root.element, message, labels=labels)

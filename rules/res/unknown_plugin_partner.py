@@ -93,6 +93,12 @@ class UnknownPluginPartner(Rule):
         Good(AUTOPILOT.format("m::mast::imu"), scaffold=IN_MODEL, why="as Gazebo Classic writes it"),
         Good(MERGED.format("hull::imu")),
         Good(
+            '<link name="craft::body/mast"><sensor name="imu" type="imu"/></link>'
+            + AUTOPILOT.format("craft::body/mast::imu").partition("<link")[0],
+            scaffold=IN_MODEL,
+            why="the link of a world that Gazebo Classic wrote",
+        ),
+        Good(
             AUTOPILOT.replace("<imuName>{}</imuName>", "").replace('name="imu"', 'name="imu_sensor"'),
             scaffold=IN_MODEL,
         ),
@@ -144,7 +150,7 @@ def unknown_sensor(value: Value, model: Model) -> Iterator[tuple[Value, str, str
         return
     *path, last = name.split("::")
     found, ends = list(sensors_in(model)), "::".join((*path[-1:], last))
-    if not found or any(each == ends or (not path and each.endswith(f"::{last}")) for each in found):
+    if not found or any(f"::{each}".endswith(f"::{ends}") for each in found):
         return
     written = {f"{link.name}::{sensor.name}" for link in model.links for sensor in link.sensors}
     merged = " once its links are merged" if model.is_urdf and ends in written else ""

@@ -205,6 +205,8 @@ class GazeboRobot:
         """Why libsdformat refuses the robot of which a link without mass is dropped; empty if it does not."""
         if link in self.orphaned:
             return "a joint loses its parent"
+        if link not in self._reached:
+            return ""  # the world, or another root
         if not self.links:
             return "nothing is left"
         if link in self._leading:

@@ -352,7 +352,9 @@ def _unexpanded(value: Value) -> Mapping[Consumer, Reaction]:
     if value.attribute == "filename":
         is_texture = value.element.name == "texture"
         mujoco = _UNREAD if is_texture or is_unread_by_mujoco(value) else REFUSES
-        return {Consumer.DRAKE: refuses("does not find the file"), Consumer.MUJOCO: mujoco}
+        unfound = refuses("does not find the file")
+        pybullet = {} if is_texture else {Consumer.PYBULLET: unfound}
+        return {Consumer.DRAKE: unfound, Consumer.MUJOCO: mujoco} | pybullet
     if value.attribute is None or value.attribute in _NAMING or _is_free(value.element):
         return {}
     return {**unreadable(value), Consumer.ISAAC: REFUSES}

@@ -359,7 +359,7 @@ class Packages:
 
     def _layout(self, folder: Path, lists: Path) -> list[tuple[str, str]]:
         if folder not in self._installed:
-            self._installed[folder] = list(_install_rules(_read(lists)))
+            self._installed[folder] = list(islice(_install_rules(_read(lists)), _MOST_INSTALLED))
         return self._installed[folder]
 
 
@@ -401,9 +401,15 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
 
 
 def is_part(folder: str) -> bool:
-    """Is a folder one of meshes or the like in a package, which no program takes for a package of its name?"""
-    around = package_around(os.path.join(folder, "file")) if os.path.basename(folder) in _PARTS else None
-    return around is not None and around[0] != os.path.abspath(folder)
+    """Is a folder one in a package, which no program takes for a package of its name?
+
+    One of meshes or the like, or one directly in the package that is not a model.
+    """
+    around, path = package_around(os.path.join(folder, "file")), os.path.abspath(folder)
+    if around is None or around[0] == path:
+        return False
+    is_inner = os.path.dirname(path) == around[0] and not os.path.isfile(os.path.join(path, "model.config"))
+    return is_inner or os.path.basename(path) in _PARTS
 
 
 def is_of_ros_1(path: str | os.PathLike[str]) -> bool:

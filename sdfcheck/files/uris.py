@@ -106,6 +106,7 @@ def _empty_from(folder: str, _: Disk) -> str:
 
 
 _MEDIA = ("media", "Media")
+_CONFIG = "model.config"
 _STEPS = frozenset({os.curdir, os.pardir})
 """A path that begins with one is relative to the file that names it, and to nothing else."""
 
@@ -154,6 +155,8 @@ def _locate(document: Document, text: str, around: _Surroundings) -> Location:
     if scheme in SEARCHED_SCHEMES:
         owners = _owners(document, scheme, name, around)
         found = _first(disk, scheme, owners.there or owners.near, inside)
+        if found.path is None and owners.there:
+            found = found._replace(path=_installed(document, owners.there[0], inside))
         if not owners.there:
             # Only the case of letters can be wrong then.
             near = found.path or found.near
@@ -177,9 +180,9 @@ def _owners(document: Document, scheme: str, name: str, around: _Surroundings) -
         candidates = (_models if scheme == "model" else _packages)(document, name, around)
         tried = tuple(dict.fromkeys(map(os.path.normpath, candidates)))
         there = tuple(path for path in tried if os.path.isdir(path))
-        if scheme == "model" and not there:
-            there = _models_of_project(document, name, around)
-            tried += there
+        if scheme == "model" and not any(around.disk.has(os.path.join(path, _CONFIG)) for path in there):
+            of_project = _models_of_project(document, name, around)
+            tried, there = tried + of_project, of_project + there
         alike = () if there else (around.disk.ignoring_case(path) for path in tried)
         near = tuple(path for path in alike if path and os.path.isdir(path))
         around.owners[scheme, name] = _Owners(tried, there, near)
@@ -282,6 +285,16 @@ def substitute(document: Document, path: str) -> str | None:
 
 _BUILT = r"_BINARY_DIR\}}[^\s\"'()]{{0,200}}/{}(?![\w.-])"
 """A file in the folder of the build, as CMakeLists.txt names it."""
+
+
+def _installed(document: Document, package: str, inside: str) -> Path | None:
+    """The file of a package that its build installs at another place, where programs look for it."""
+    found = as_built(document, os.path.join(package, inside))
+    return (
+        found
+        if found is not None and is_below(os.path.realpath(found), (os.path.realpath(package),))
+        else None
+    )
 
 
 def is_built(document: Document, path: str) -> bool:

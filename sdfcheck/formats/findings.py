@@ -293,8 +293,9 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     if rotation is not None and degrees is not None and _exclude_each_other(rotation, degrees):
         yield problems.ConflictingRotation(degrees, rotation)
     elif not value.text:
-        # An empty pose is a usual way to leave it at the default; an empty number is not.
-        if definition.needs_value or definition.type not in {"pose", "string"}:
+        # An empty pose is a usual way to leave it at the default; an empty number is not. Its children are reported.
+        is_split = any(":" not in child.name for child in element.children())
+        if definition.needs_value or not (is_split or definition.type in {"pose", "string"}):
             yield problems.MalformedValue(value, definition, read_at(definition, ""), element.span)
     elif cut := cut_text(element):
         yield problems.CutText(value, cut)

@@ -48,6 +48,8 @@ def lint_xacro(
     found = lint_document(document, dispatch)
     shown = (*prepared.documents, *prepared.partial)
     built = _lint_pieces(document, unexpanded(document, shown), dispatch)
+    if prepared.documents:  # the robot that consumers get does not have these pieces
+        built = [each._replace(affects=()) for each in built]
     for expanded in prepared.documents:
         built += settle(lint_document(expanded, dispatch), expanded, document)
     for expanded in prepared.partial:

@@ -73,9 +73,9 @@ def _place(group: Group, each: Diagnostic, paths: Paths, here: bool) -> str:
     place = f"{line}:{column}" if here else paths.place(each.span)
     if each.message == group.first.message:
         return place
-    # Of messages that differ the first thing that differs says what is meant.
+    # Of messages that differ the first name that differs says what is meant; a number alone says nothing.
     pairs = zip(_VARIED.findall(group.first.message), _VARIED.findall(each.message), strict=False)
-    word = next((new for old, new in pairs if old != new), "")
+    word = next((new for old, new in pairs if old != new and new[0] == "`"), "")
     if len(word) > _LONG:  # a path, most likely: its end tells it from others
         tail = word[-_LONG:]
         word = "`…" + tail[max(0, tail.find("/")) :]

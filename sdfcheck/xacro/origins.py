@@ -380,8 +380,8 @@ class ExpandedDocument(Document):
         for pieces in (expanded, [piece.replace("&gt;", ">") for piece in expanded]):
             whole = "".join(pieces)
             for element in self.elements[number : number + 2]:
-                written, at = self.spans.home(element).text, element.span.start
-                is_before = element is self.elements[number]
+                written, is_before = self.spans.home(element).text, element is self.elements[number]
+                at = self.spans.start_tag(element).end if is_before else element.span.start
                 start = written.find(whole, at) if is_before else written.rfind(whole, 0, at)
                 if start >= 0:
                     begin = start + len(pieces[0])

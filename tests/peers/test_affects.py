@@ -37,7 +37,7 @@ ARGUED: dict[Consumer, dict[str, str]] = {
         "XML010": "the depth that tinyxml2 follows is the distribution's",
         "RES002 RES003 RES010 RES012": "models are on its search path only if it is expected",
         "JNT008": "a ring of links beside a root without mass",
-        "FRM010": REMOTE,
+        "FRM010 RES004-good-0": REMOTE,
     },
     Consumer.DRAKE: {
         "DRK009 DRK018 DRK022 MUJ001 MUJ002 RES001 RES004 RES006 RES013 URD006 URD007": f"{MISSING}; or: {REMOTE}",

@@ -378,6 +378,10 @@ def in_xacro(text: str, wrong: str, right: str, code: str) -> Problem:
     return Problem(code, robot(text, more=f' name="bot"{XACRO}'), wrong, right, 0, ".urdf.xacro", others)
 
 
+DESCRIBED: dict[str, str | bytes] = {
+    "package.xml": "<package><name>pathfinder</name></package>",
+    "description/meshes/a.stl": cube(),
+}
 GZ_DRIVEN = robot(CART, DRIVE)
 PROBLEMS = {
     # Plugins of Gazebo
@@ -748,6 +752,9 @@ PROBLEMS = {
         "scan_xd",
         "RES001",
         **{"package.xml": '<package format="3"><name>scan_xd</name><version>1.0.0</version></package>'},
+    ),
+    "a folder of a package is taken for one": meshed(
+        "package://@@/meshes/a.stl", "description", "pathfinder/description", "RES001", **DESCRIBED
     ),
     # Drives
     "a drive and ros2_control turn one wheel": Problem(

@@ -22,7 +22,8 @@ from sdfcheck.source.text import Span
 CONFIG = "model.config"
 OLD_CONFIG = "manifest.xml"
 
-_NUMBERS = re.compile(r"\s*(\d+)\.(\d+)\s*")
+_NUMBERS = re.compile(r"\s*(\d+)[^.]*(?:\.\s*(\d+)[^.]*(?:\.\s*\d.*)?|\.)?", re.DOTALL)
+"""As libsdformat reads a version: the number that each part begins with; those left out are 0."""
 _PLACEHOLDER = re.compile(r"@\w+@")
 _MADE_FROM = TEMPLATE_SUFFIXES | {".xacro"}
 _DESCRIPTIONS = (".sdf", ".urdf", ".world", ".xacro")
@@ -229,7 +230,7 @@ def _is_of_files(folder: Path) -> bool:
 
 def _version(entry: Element) -> tuple[int, int] | None:
     match = _NUMBERS.fullmatch(entry.attributes.get("version", ""))
-    return (int(match[1]), int(match[2])) if match else None
+    return (int(match[1]), int(match[2] or 0)) if match else None
 
 
 def _near(folder: Path, name: str) -> str | None:

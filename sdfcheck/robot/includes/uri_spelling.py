@@ -25,6 +25,7 @@ class UriFault(Enum):
 
     BACKSLASH = "backslash"
     SLASHES = "number of slashes"
+    ABSOLUTE = "absolute path"
     SCHEME_CASE = "capital letters"
     UNKNOWN_SCHEME = "unknown scheme"
     NO_NAME = "no name"
@@ -60,7 +61,9 @@ def misspelling(value: Value) -> Misspelling | None:
     if match is not None:
         found = _scheme_fault(match[1], match[2], match[3])
         if found is not None:
-            return found
+            # An expression such as `$(find arm)` brings an absolute path.
+            is_path = found.fault is UriFault.SLASHES and match[2] == "///" and "$" in value.span.text
+            return Misspelling(UriFault.ABSOLUTE, None) if is_path else found
     return Misspelling(UriFault.BLANK, text) if text != value.text else None
 
 

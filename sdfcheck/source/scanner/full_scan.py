@@ -16,6 +16,7 @@ from sdfcheck.source.scanner.start_tag import (
     NAME,
     START,
     StartTag,
+    is_name,
     made_name,
     repeated_attributes,
     tag_of,
@@ -97,7 +98,7 @@ _AMPERSAND = re.compile(r"&(?:([\w.\-:]+);|(#[0-9]{1,8}|#x[0-9a-fA-F]{1,7});)?")
 _OPENING = re.compile(r"\A<!?\[?[A-Za-z]+\[?")
 _CUT_REFERENCE = re.compile(r"&#?[\w.\-:]*\Z")
 _PREDEFINED = frozenset({"amp", "lt", "gt", "quot", "apos"})
-_INSTRUCTION = re.compile(rf"<\?(?!xml){NAME}(?:{BLANK}|\?>)", re.IGNORECASE)
+_INSTRUCTION = re.compile(rf"<\?(?!xml)({NAME})(?:{BLANK}|\?>)", re.IGNORECASE)
 
 
 class Writer:
@@ -231,8 +232,10 @@ class Writer:
             if len(text) > LENGTH_LIMIT or not (text.startswith("<![CDATA[") and text.endswith("]]>")):
                 content = _OPENING.sub("", text[:LENGTH_LIMIT]).removesuffix("]]>")
                 self.replace(token, _escape(content.replace("&", "&amp;")))
-        elif len(text) > LENGTH_LIMIT or not (_INSTRUCTION.match(text) and text.endswith("?>")):
-            self.replace(token, "")
+        else:
+            match = _INSTRUCTION.match(text) if len(text) <= LENGTH_LIMIT and text.endswith("?>") else None
+            if match is None or not is_name(match[1]):
+                self.replace(token, "")
 
     def references(self, start: int, end: int) -> None:
         """Note bare ampersands and references that XML does not define.

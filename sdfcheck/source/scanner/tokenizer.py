@@ -16,7 +16,7 @@ from sdfcheck.source.scanner.broken_tag import (
     parse_broken_tag,
     section_end,
 )
-from sdfcheck.source.scanner.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names
+from sdfcheck.source.scanner.start_tag import ATTRIBUTES, BLANK, NAME, START, has_names, is_name
 from sdfcheck.source.scanner.tokens import DEFECT_LIMIT, Token, TokenKind, Tokens, hyphens
 from sdfcheck.source.text import Source
 
@@ -26,14 +26,15 @@ from sdfcheck.source.text import Source
 _INSTRUCTION = re.compile(
     rf"<\?xml{BLANK}+version{BLANK}*={BLANK}*([\"'])1\.[0-9]+\1"
     rf"(?:{BLANK}+encoding{BLANK}*={BLANK}*([\"'])[A-Za-z][\w.\-]*\2)?(?:{BLANK}+standalone{BLANK}*={BLANK}*([\"'])(?:yes|no)\3)?{BLANK}*\?>"
-    rf"|<\?(?![xX][mM][lL]){NAME}(?:{BLANK}[\s\S]*)?\?>|<\?xml-{NAME}(?:{BLANK}[\s\S]*)?\?>"
+    rf"|<\?(?![xX][mM][lL])({NAME})(?:{BLANK}[\s\S]*)?\?>|<\?(xml-{NAME})(?:{BLANK}[\s\S]*)?\?>"
 )
 _VERSION = re.compile(rf"<\?xml{BLANK}+version{BLANK}*={BLANK}*([\"'])(\w[\w.\-]*)\1")
 
 
 def instruction_fault(text: str, start: int, end: int) -> tuple[SyntaxKind, int, int] | None:
     """The fault of an instruction and its place; None if it is sound."""
-    if _INSTRUCTION.fullmatch(text, start, end):
+    match = _INSTRUCTION.fullmatch(text, start, end)
+    if match and is_name(match[4] or match[5] or "xml"):
         return None
     version = _VERSION.match(text, start, end)
     if version and _INSTRUCTION.fullmatch(f'<?xml version="1.0"{text[version.end() : end]}'):

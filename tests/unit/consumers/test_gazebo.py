@@ -69,6 +69,13 @@ def test_links_that_fixed_joints_merge(text: str, tops: list[str], with_mass: li
     assert sorted(names(built.with_mass)) == with_mass
 
 
+def test_the_world_is_no_link_that_a_frame_needs() -> None:
+    text = links("world") + links("a b", MASS) + joint("j", "world", "a") + joint("k", "a", "b")
+    built = robot(text).as_built_by(Consumer.GAZEBO)
+    assert built.refused_without(built.model.tree.links["world"]) == ""
+    assert "frame loses its link" in built.refused_without(built.model.tree.links["a"])
+
+
 BODY = '<inertial><mass value="{0}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="{1}"/></inertial>'
 AT = '<joint name="k" type="fixed"><origin xyz="2 0 0"/><parent link="a"/><child link="b"/></joint>'
 

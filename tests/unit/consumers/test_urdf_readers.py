@@ -59,6 +59,12 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
         (LEGS, 'mass value="1"', 'mass value="-1"', "mujoco"),
         (LEGS, 'mass value="1"', 'mass value="1e-9"', ""),
         (
+            ALONE,
+            "</link>",
+            '<visual><geometry><mesh filename="${m}.stl"/></geometry></visual></link>',
+            "drake pybullet",
+        ),
+        (
             ROBOT,
             "</robot>",
             ROBOT[ROBOT.index("<joint") :],
@@ -148,3 +154,14 @@ def test_a_consumer_that_is_asked_for_refuses_what_the_others_take(tmp_path: Pat
     text = f'<robot name="r"><link name="l">{INERTIAL}</link><gz:note/></robot>'
     assert refusing(text, tmp_path) == {"isaac"}
     assert refusing(text.replace("<robot", '<robot xmlns:gz="urn:gz"'), tmp_path) == set()
+
+
+def test_a_branch_that_is_not_taken_has_no_reactions(tmp_path: Path) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:property name="n" value="1"/>'
+        f'<link name="b">{INERTIAL}</link><xacro:if value="${{n == 2}}"><link name="a">'
+        f'{INERTIAL.replace("mass ", "mas ")}</link><joint name="j" type="fixed"><parent link="b"/>'
+        '<child link="a"/></joint></xacro:if></robot>'
+    )
+    assert refusing(text, tmp_path, "robot.urdf.xacro") == set()
+    assert "pybullet" in refusing(text.replace("n == 2", "n == 1"), tmp_path, "robot.urdf.xacro")

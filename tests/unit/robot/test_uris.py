@@ -56,6 +56,36 @@ def test_found(tmp_path: Path, uri: str, found: str) -> None:
     assert os.path.samefile(location.path, home / found)
 
 
+def test_a_mesh_that_a_build_installs_elsewhere(tmp_path: Path) -> None:
+    lists = "project(arm)\ninstall(DIRECTORY parts/meshes ../meshes DESTINATION share/${PROJECT_NAME})\n"
+    package = {"package.xml": "<package><name>arm</name></package>", "CMakeLists.txt": lists}
+    write(
+        tmp_path,
+        {f"arm/{name}": text for name, text in package.items()}
+        | {"arm/urdf/arm.sdf": MODEL, "arm/parts/meshes/a.dae": "", "meshes/outside.dae": ""},
+    )
+    document = opened(tmp_path / "arm/urdf/arm.sdf", tmp_path)
+    found = locate(document, "package://arm/meshes/a.dae").path
+    assert found is not None
+    assert os.path.samefile(found, tmp_path / "arm/parts/meshes/a.dae")
+    assert locate(document, "package://arm/meshes/outside.dae").path is None
+
+
+def test_a_model_of_a_package_is_not_in_a_folder_of_that_name(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "package.xml": "<package><name>arm</name></package>",
+            "arm/module.py": "",
+            "meshes/a.dae": "",
+            "models/a/a.sdf": MODEL,
+        },
+    )
+    found = locate(opened(tmp_path / "models/a/a.sdf", tmp_path), "model://arm/meshes/a.dae").path
+    assert found is not None
+    assert os.path.samefile(found, tmp_path / "meshes/a.dae")
+
+
 @pytest.mark.parametrize("uri", ["../arm/mesh.dae", "./mesh.dae", "file://../arm/mesh.dae"])
 def test_a_path_that_climbs_is_relative_to_its_file_alone(tmp_path: Path, uri: str) -> None:
     write(tmp_path, {"worlds/deep/main.sdf": MODEL, "worlds/mesh.dae": "", "arm/mesh.dae": ""})

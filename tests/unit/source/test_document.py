@@ -148,6 +148,7 @@ def test_any_bytes_are_read(data: bytes) -> None:
 
 
 @given(MARKUP)
+@example("<?\xb2?>")
 def test_rewritten_text_is_well_formed(text: str) -> None:
     found = document(f"<sdf>{text}</sdf>")
     written = found.scan.wellformed

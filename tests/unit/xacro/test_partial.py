@@ -59,6 +59,14 @@ def test_text_beside_what_is_not_known_is_stray(tmp_path: Path, content: str) ->
     assert ("SCH010", "f") in found(tmp_path, content)
 
 
+def test_text_that_ends_as_the_tag_before_it_does(tmp_path: Path) -> None:
+    path = tmp_path / "robot.xacro"
+    shape = '<visual><geometry><sphere radius="1"/>/></geometry></visual>'
+    path.write_text(f'<robot name="r" {XACRO}><link name="a">{shape}</link></robot>')
+    stray = [each for each in sdfcheck.lint([path], isolated=True).diagnostics if each.code == "SCH010"]
+    assert [each.span.source.text[each.span.start - 2 : each.span.end] for each in stray] == ["/>/>"]
+
+
 def test_a_text_that_has_no_value_is_reported_once(tmp_path: Path) -> None:
     text = "${1 / 0}"
     assert [code for code, place in found(tmp_path, f'<link name="base"/>{text}') if place == text] == [
