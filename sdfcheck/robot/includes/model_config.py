@@ -22,7 +22,7 @@ from sdfcheck.source.text import Span
 CONFIG = "model.config"
 OLD_CONFIG = "manifest.xml"
 
-_NUMBERS = re.compile(r"\s*(\d+)[^.]*(?:\.\s*(\d+)[^.]*(?:\.\s*\d.*)?|\.)?", re.DOTALL)
+_NUMBERS = re.compile(r"\s*(\d+)(?!\d)[^.]*(?:\.\s*(\d+)(?!\d)[^.]*(?:\.\s*\d.*)?|\.)?", re.DOTALL)
 """As libsdformat reads a version: the number that each part begins with; those left out are 0."""
 _PLACEHOLDER = re.compile(r"@\w+@")
 _MADE_FROM = TEMPLATE_SUFFIXES | {".xacro"}
