@@ -64,11 +64,11 @@ class UnknownMimicLeader(Rule):
             return False
         if mimic.leader is not None:
             return mimic.is_without_axis
+        if mimic.is_urdf:
+            return not joint.is_fixed
         name, scope = mimic.leader_name, joint.scope
         if scope.has_lost(name):
             return False
-        if mimic.is_urdf:
-            return not joint.is_fixed
         return scope.resolve(name) is not None or not ("" in name.split("::") or scope.may_hold(name))
 
     def check(self, mimic: Mimic) -> Iterator[Diagnostic]:

@@ -227,13 +227,8 @@ class GazeboRobot:
         return _with_above(link for link in parents if link is not None)
 
     def is_miswritten(self, link: Link) -> bool:
-        """Has the link no mass for a mistake that is reported as such?
-
-        It is misspelled or left out of an ``inertial``, negative, or behind something on which urdfdom fails.
-        """
-        if not link.has_mass:
-            return link.misspells("inertial") or link.inertial.lacks_mass
-        return link.inertial.mass.number < 0 or _is_cut(link.inertial.element)
+        """Has the link no mass because urdfdom fails before it has read the one that is there, or it is negative?"""
+        return link.has_mass and (link.inertial.mass.number < 0 or _is_cut(link.inertial.element))
 
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""

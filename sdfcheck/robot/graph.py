@@ -113,11 +113,6 @@ class Inertial(Part):
             return float(self.mass) != 0
         return self._mass_value is not None and self._mass_value.number != 0
 
-    @property
-    def lacks_mass(self) -> bool:
-        """Is it written without a mass, or without the value of that?"""
-        return self.is_given and (self._mass_value is None or not self._mass_value.text.strip())
-
     @lazy
     def _mass_value(self) -> Value | None:
         mass = self.find("mass")
@@ -1495,7 +1490,6 @@ class Tree:
         if not others:
             return []
         broken = sum(self.ends(joint) is None for joint in self.joints) + len(self.loops())
-        broken += self.model.misspells("joint")
         if len(others) <= broken:
             return []
         meant = set(self._meant_children())

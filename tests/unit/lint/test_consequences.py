@@ -1,0 +1,94 @@
+"""One mistake is one finding: what follows from it is not reported beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import sdfcheck
+from sdfcheck.lint.diagnostic import Severity
+
+MASS = '<inertial><mass value="0.5"/><inertia ixx="0.002" ixy="0" ixz="0" iyy="0.002" iyz="0" izz="0.002"/></inertial>'
+LIMIT = '<axis xyz="0 1 0"/><limit lower="{}" upper="{}" effort="1" velocity="1"/>'
+WHEEL = (
+    f'<link name="wheel">{MASS}<collision><geometry><cylinder radius="0.1" length="0.05"/></geometry></collision>'
+    '</link><joint name="turns" type="continuous"><origin xyz="0 0.2 0" rpy="-1.5707963 0 0"/><parent link="base"/>'
+    '<child link="wheel"/><axis xyz="0 0 1"/></joint>'
+)
+ROBOT = (
+    '<robot name="r"><material name="grey"><color rgba="0.5 0.5 0.5 1"/></material><link name="foot"/>'
+    f'<link name="base">{MASS}<visual><geometry><box size="0.2 0.2 0.2"/></geometry><material name="grey"/></visual>'
+    '</link><joint name="stands" type="fixed"><parent link="foot"/><child link="base"/></joint>'
+    f'{WHEEL}<link name="arm">{MASS}</link><joint name="lifts" type="revolute"><parent link="base"/>'
+    f'<child link="arm"/>{LIMIT.format(-1, 1)}</joint><link name="hand">{MASS}</link>'
+    '<joint name="opens" type="prismatic"><parent link="arm"/><child link="hand"/>'
+    f'{LIMIT.format(0, 0.04)}<mimic joint="lifts" multiplier="0.02" offset="0.02"/></joint>'
+    '<gazebo reference="wheel"><mu1>1</mu1></gazebo></robot>'
+)
+SYSTEM = '<plugin filename="gz-sim-{}-system" name="gz::sim::systems::{}"/>'
+INERTIAL = (
+    "<inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>"
+)
+WORLD = (
+    f'<sdf version="1.10"><world name="w"><frame name="gate"/>{SYSTEM.format("physics", "Physics")}'
+    f'{SYSTEM.format("imu", "Imu")}<model name="m" canonical_link="base"><pose relative_to="gate"/>'
+    f'<link name="base">{INERTIAL}<sensor name="s" type="imu"/></link>'
+    f'<link name="arm"><pose relative_to="lifts"/>{INERTIAL}</link><joint name="lifts" type="revolute">'
+    '<pose relative_to="base"/><parent>base</parent><child>arm</child>'
+    '<axis><xyz expressed_in="base">0 1 0</xyz></axis></joint><plugin filename="gz-sim-joint-controller-system" '
+    'name="gz::sim::systems::JointController"><joint_name>lifts</joint_name></plugin></model></world></sdf>'
+)
+
+
+def codes(text: str, path: Path) -> list[str]:
+    """The rules that have errors and warnings about a text."""
+    path.write_text(text)
+    return [each.code for each in sdfcheck.lint(path).diagnostics if each.severity is not Severity.INFO]
+
+
+@pytest.mark.parametrize(("text", "name"), [(ROBOT, "r.urdf"), (WORLD, "w.sdf")])
+def test_nothing_is_wrong(text: str, name: str, tmp_path: Path) -> None:
+    assert codes(text, tmp_path / name) == []
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code"),
+    [
+        ('iyz="0"', 'iy="0"', "URD002"),
+        ('<parent link="foot"/>', '<parent link=" "/>', "SCH005"),
+        ('<parent link="foot"/>', '<parent link="feet"/>', "JNT001"),
+        ('<joint name="stands" type="fixed">', '<joint name="stands" type="fix">', "SCH015"),
+        ('offset="0.02"', 'offset="0,02"', "SCH011"),
+        ('<axis xyz="0 0 1"/>', '<axiss xyz="0 0 1"/>', "URD001"),
+        ('<axis xyz="0 0 1"/>', '<axis xy="0 0 1"/>', "URD002"),
+        ('reference="wheel"', 'referenc="wheel"', "URD002"),
+        ('value="0.5"', 'value="inf"', "SCH011"),
+    ],
+)
+def test_a_robot(right: str, wrong: str, code: str, tmp_path: Path) -> None:
+    assert right in ROBOT
+    assert codes(ROBOT.replace(right, wrong, 1), tmp_path / "r.urdf") == [code]
+
+
+def test_a_material(tmp_path: Path) -> None:
+    text = ROBOT.replace("<material", "<materia", 1).replace("</material>", "</materia>", 1)
+    assert codes(text, tmp_path / "r.urdf") == ["URD001"]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code"),
+    [
+        ('<link name="base">', "<link>", "SCH005"),
+        ('<link name="base">', '<link names="base">', "NS001"),
+        ('<link name="arm">', '<link name=" ">', "NAM006"),
+        ('<frame name="gate"/>', "<frame/>", "SCH005"),
+        ('<joint name="lifts"', "<joint", "SCH005"),
+        ("gz-sim-imu-system", "gz-sim-imusystem", "RES015"),
+        ('filename="gz-sim-imu-system"', 'filenam="gz-sim-imu-system"', "NS001"),
+        ('filename="gz-sim-physics-system"', 'filenam="gz-sim-physics-system"', "NS001"),
+    ],
+)
+def test_a_world(right: str, wrong: str, code: str, tmp_path: Path) -> None:
+    assert right in WORLD
+    assert codes(WORLD.replace(right, wrong, 1), tmp_path / "w.sdf") == [code]
