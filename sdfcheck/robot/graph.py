@@ -3105,11 +3105,11 @@ def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
     """
     if not unresolved:
         return frozenset()
-    parts = [child for child in scope.children() if child.name in NODES]
-    names = [name for part in parts if (name := part.attributes.get("name", "").strip())]
-    nameless = len(parts) - len(names) + sum(map(scope.misspells, NODES))
+    nameless = scope.nameless
     if len(unresolved) <= nameless:
         return frozenset(unresolved)
+    parts = [child for child in scope.children() if child.name in NODES]
+    names = [name for part in parts if (name := part.attributes.get("name", "").strip())]
     doubled = len(names) - len(set(names))
     if not doubled:
         return frozenset()
@@ -3187,9 +3187,16 @@ class Scope(Namespace):
         """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
         return lost_names(self, self.unresolved)
 
+    @lazy
+    def nameless(self) -> int:
+        """So many parts of it have no name, or are misspelled."""
+        parts = (child for child in self.children() if child.name in NODES)
+        unnamed = sum(not part.attributes.get("name", "").strip() for part in parts)
+        return unnamed + sum(map(self.misspells, NODES))
+
     def has_lost(self, name: str) -> bool:
         """May a name that nothing has be that of a part which has lost its name?"""
-        return name in lost_names(self, {*self.unresolved, name})
+        return self.nameless > 0 and len(self.unresolved) + (name not in self.unresolved) <= self.nameless
 
     # Parts by name
 
