@@ -14,6 +14,7 @@ from sdfcheck.source.text import Source, Span
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
     from sdfcheck.xacro.origins import ExpandedDocument
+    from sdfcheck.xacro.static.reasons import Giver
 
 
 def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: Document) -> list[Diagnostic]:
@@ -71,20 +72,22 @@ def _at_values(diagnostics: Iterable[Diagnostic], file: Document) -> Iterator[Di
     A text that is meant for a number has one, where it is written; none if it is reported by expressions already.
     """
     seen = set()
+    at_fault: set[Span] | None = None
     for each in diagnostics:
         value: str | None = getattr(each.span, "value", None)
         if value is None:
             yield each
             continue
-        from sdfcheck.xacro.static.reasons import givers, misnumbered, values_at_fault
+        from sdfcheck.xacro.static.reasons import MOST, all_givers, misnumbered, values_at_fault
 
-        origins = getattr(each.span, "origins", ())
-        at_fault = set(values_at_fault(file.problems))
-        if at_fault and not at_fault.isdisjoint(given.span for given in givers(each.span, origins, file)):
+        if at_fault is None:
+            at_fault = {*values_at_fault(file.problems)}
+        found = all_givers(each.span, getattr(each.span, "origins", ()), file)
+        given = misnumbered(found)
+        if not at_fault.isdisjoint(giver.span for giver in found):
             continue
-        given = misnumbered(each.span, origins, file)
         if given is None or given.text.strip() not in value:
-            yield _with_values(each, value, file)
+            yield _with_values(each, value, found[:MOST])
         elif (each.code, given.span) not in seen:
             seen.add((each.code, given.span))
             yield _moved(each, value, given.span)
@@ -98,12 +101,9 @@ def _moved(diagnostic: Diagnostic, value: str, place: Span) -> Diagnostic:
     return diagnostic._replace(span=place, message=f"{message} (`{span.text}`)", labels=labels, origins=())
 
 
-def _with_values(diagnostic: Diagnostic, value: str, file: Document) -> Diagnostic:
+def _with_values(diagnostic: Diagnostic, value: str, found: Sequence[Giver]) -> Diagnostic:
     """The diagnostic with the value of the expression that it is about, and where that value comes from."""
     span = diagnostic.span
-    from sdfcheck.xacro.static.reasons import givers
-
-    found = givers(span, getattr(span, "origins", ()), file)
     message, code = diagnostic.message.replace(span.text, value), f"`{span.text}`"
     if found:
         name, text, place = found[0]

@@ -404,7 +404,7 @@ def values_at_fault(found: Iterable[object]) -> Iterator[Span]:
 
 def _spans_of_givers(problem: Problem, document: Document) -> Iterator[Span]:
     if isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION:
-        for each in givers(problem.span, problem.origins, document, _MOST_TRIED):
+        for each in all_givers(problem.span, problem.origins, document):
             yield each.span
 
 
@@ -430,20 +430,25 @@ def _at_value(problem: Problem, document: Document) -> Problem:
 
 def _wrong_number(problem: ExpansionFailure, document: Document) -> Giver | None:
     """The value with which an expression cannot compute: one meant for a number, else the only text that it names."""
-    given = misnumbered(problem.span, problem.origins, document)
+    found = all_givers(problem.span, problem.origins, document)
+    given = misnumbered(found)
     if given is not None or not _COMPUTING.search(problem.detail):
         return given
     named = {*_names(problem.span.text)}
-    tried = givers(problem.span, problem.origins, document, _MOST_TRIED)
     texts = [
-        each for each in tried if each.name in named and is_literal(each.text) and not _is_number(each.text)
+        each for each in found if each.name in named and is_literal(each.text) and not _is_number(each.text)
     ]
     return texts[0] if len(texts) == 1 else None
 
 
-def misnumbered(span: Span, origins: Sequence[Step], document: Document) -> Giver | None:
-    """The text that gives a name at a place its value, if it is meant for a number but malformed."""
-    for each in givers(span, origins, document, _MOST_TRIED):
+def all_givers(span: Span, origins: Sequence[Step], document: Document) -> list[Giver]:
+    """The same as :func:`givers`, as far as somebody would follow them."""
+    return givers(span, origins, document, _MOST_TRIED)
+
+
+def misnumbered(found: Iterable[Giver]) -> Giver | None:
+    """The first text that is meant for a number but malformed."""
+    for each in found:
         if _MISNUMBERED.fullmatch(each.text) and not _is_number(each.text):
             return each
     return None
