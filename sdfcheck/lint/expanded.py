@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right, insort
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
 from pathlib import Path
@@ -56,17 +56,17 @@ def lint_xacro(
         if expanded.root is not None:
             built += settle(_lint_known(expanded, dispatch), expanded, document)
     # Other faults of an expression that is left as it is follow from that.
-    left = [
-        problem.span
-        for problem in document.problems
-        if isinstance(problem, UnevaluatedExpression)
-        or (isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION)
-    ]
+    left: dict[Path, list[Span]] = {}
+    for problem in document.problems:
+        if isinstance(problem, UnevaluatedExpression) or (
+            isinstance(problem, ExpansionFailure) and problem.kind is Failure.EXPRESSION
+        ):
+            insort(left.setdefault(problem.span.source.path, []), problem.span, key=lambda span: span.start)
     calls = _left_calls(document)
     found += [
         _with_cause(_as_left(each, calls), calls)
         for each in built
-        if not any(_overlap(each.span, span) for span in left)
+        if not _overlaps(each.span, left.get(each.span.source.path, ()))
     ]
     if variants and expander is not None and not argument_sets and len(prepared.documents) == 1:
         found += _lint_variants(document, prepared.documents[0], dispatch, expander, found)
@@ -102,8 +102,10 @@ def _left_calls(document: Document) -> dict[tuple[str, int], Span]:
     return causes
 
 
-def _overlap(one: Span, other: Span) -> bool:
-    return one.source.path == other.source.path and one.start < other.end and other.start < one.end
+def _overlaps(one: Span, others: Sequence[Span]) -> bool:
+    """Has a place something in common with others of its file, which are in order?"""
+    last = bisect_left(others, one.end, key=lambda span: span.start) - 1
+    return last >= 0 and one.start < others[last].end
 
 
 def _lint_known(expanded: ExpandedDocument, dispatch: Dispatch) -> Iterator[Diagnostic]:

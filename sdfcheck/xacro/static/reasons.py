@@ -383,6 +383,7 @@ _MISNUMBERED = re.compile(
     r"\s*([-+]?(\d+[.,]?\d*|[.,]\d+)([.,]\d*|\s*[^\W\d_]{1,4}|\s*[°%])?|[-+]?(inf|nan)|[Tt]rue|[Ff]alse)\s*"
 )
 """A text that is meant for a number, and may have a comma or a unit in it."""
+_LONGEST_NUMBER = 40
 _MOST_TRIED = 20
 
 
@@ -449,7 +450,8 @@ def all_givers(span: Span, origins: Sequence[Step], document: Document) -> list[
 def misnumbered(found: Iterable[Giver]) -> Giver | None:
     """The first text that is meant for a number but malformed."""
     for each in found:
-        if _MISNUMBERED.fullmatch(each.text) and not _is_number(each.text):
+        text = each.text
+        if len(text) <= _LONGEST_NUMBER and _MISNUMBERED.fullmatch(text) and not _is_number(text):
             return each
     return None
 
