@@ -115,7 +115,7 @@ def test_the_keyboard_is_enough(tab: chromium.Tab, report: Path) -> None:
         focused = (
             "[...document.querySelectorAll('details.finding')].indexOf(document.activeElement.parentElement)"
         )
-        assert tab.run(focused) == number
+        tab.page.wait_for_function(f"{focused} === {number}")
     before = tab.run(is_open)
     press("Enter")
     assert tab.run(is_open) is not before
