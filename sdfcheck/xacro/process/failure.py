@@ -130,9 +130,8 @@ def _unwritten(element: Any, attribute: str) -> Record:
     """An attribute whose value is not a text when the result is written: ``xacro:attribute`` takes any."""
     spot = Spot()
     spot.at(element, attribute)
-    message = (
-        f"`xacro:attribute` gives `{attribute}` a number, and xacro writes texts only: write `${{str(…)}}`"
-    )
+    cause = f"`xacro:attribute` gives `{attribute}` a value that is not a text"
+    message = f"{cause}, for which xacro fails: write `${{str(…)}}`"
     return {
         "kind": "other",
         "message": message,

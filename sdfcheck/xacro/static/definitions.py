@@ -188,8 +188,8 @@ class Macro(Record):
 
     @property
     def is_clear(self) -> bool:
-        """Is each of its parameters a name, so that it takes these and no others?"""
-        return all(map(is_name, self.parameters))
+        """Is each of its parameters a name, and no default another one, so that it takes these and no others?"""
+        return all(is_name(each) and ":=" not in (each.default or "") for each in self.parameters)
 
 
 class Property(Record):

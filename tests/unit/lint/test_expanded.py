@@ -87,6 +87,9 @@ ONE_MISTAKE = {
     "<xacro:propertys name='o'><origin/></xacro:propertys><link name='a'><visual><xacro:insert_block name='o'/>"
     "<geometry><sphere radius='1'/></geometry></visual></link>": ["XAC003"],
     "<link><xacro:attribute name='name' value='a'/></link><link name='b${'/>": ["XAC010"],
+    "<xacro:macro name='m' params='n:= o:=1'><link name='${n}${o}'/></xacro:macro><xacro:m n='x'/>": [
+        "XAC024"
+    ],
     "<xacro:call name='x'/><xacro:macro name='m' params='name'><link name='${name}'/></xacro:macro>": [
         "XAC011"
     ],
