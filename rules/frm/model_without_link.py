@@ -48,9 +48,8 @@ class ModelWithoutLink(Rule):
             or not model.is_complete
             or model.stands_still
             or model.is_included_as_static
-            or model.misspells("link")
-            or model.misspells("model")
         )
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
-        yield self.diagnostic(model, f"{model.title} has no link, and is not static")
+        cause = model.misnamed("link") or model.misnamed("model")
+        yield self.diagnostic(model, f"{model.title} has no link, and is not static", cause=cause)

@@ -47,7 +47,7 @@ class UnknownCanonicalLink(Rule):
             return False
         name = model.canonical_link_name
         node = model.resolve(name)
-        return model.lacks(name) and not model.has_lost(name) if node is None else node.kind != "link"
+        return model.lacks(name) if node is None else node.kind != "link"
 
     def check(self, model: Model) -> Iterator[Diagnostic]:
         value, name = model.canonical_link_value, model.canonical_link_name
@@ -58,4 +58,5 @@ class UnknownCanonicalLink(Rule):
             yield self.diagnostic(value, f"`{name}` is a {node.kind}, not a link")
             return
         message = f"`{name}` is not a link of {model.title}"
-        yield self.diagnostic(value, message, meant=model.guess(name, kind="link").meant)
+        meant = model.guess(name, kind="link").meant
+        yield self.diagnostic(value, message, meant=meant, cause=model.fault_of(name))

@@ -97,13 +97,13 @@ class UnknownFrame(Rule):
 
     @staticmethod
     def applies(reference: FrameReference) -> bool:
-        return reference.is_unresolved and not (reference.scope and reference.scope.has_lost(reference.name))
+        return reference.is_unresolved
 
     def check(self, reference: FrameReference) -> Iterator[Diagnostic]:
         name, scope = reference.name, reference.scope
         if scope is None:
             return
-        affects = _affects(reference)
+        affects, cause = _affects(reference), scope.fault_of(name)
         guess = scope.guess(name, but=(reference.owner_element.attributes.get("name", ""),))
         message = f"`{reference.value.attribute}` names `{name}`, which is not a frame of {scope.title}"
         if (meant := guess.meant) is not None:
@@ -112,16 +112,16 @@ class UnknownFrame(Rule):
                 f"; in a nested model there is `{meant}`" if is_deeper else f"; did you mean `{meant}`?"
             )
             fix = replace(reference.value, meant, f"write `{meant}`", unsafe=True)
-            yield self.diagnostic(reference, message, fix=fix, affects=affects)
+            yield self.diagnostic(reference, message, fix=fix, affects=affects, cause=cause)
         elif name == "world":
             hint = "inside a model the frame of the world is out of reach"
-            yield self.diagnostic(reference, message, help=hint, affects=affects)
+            yield self.diagnostic(reference, message, help=hint, affects=affects, cause=cause)
         elif guess.outside is not None:
             message += "; it is defined outside, out of reach"
             labels = {guess.outside: f"`{name}` is defined here"}
-            yield self.diagnostic(reference, message, labels=labels, affects=affects)
+            yield self.diagnostic(reference, message, labels=labels, affects=affects, cause=cause)
         else:
-            yield self.diagnostic(reference, message, affects=affects)
+            yield self.diagnostic(reference, message, affects=affects, cause=cause)
 
 
 def _affects(reference: FrameReference) -> dict[Consumer, Reaction]:

@@ -49,7 +49,7 @@ class UnreadSetting(Rule):
 
     @staticmethod
     def applies(block: GazeboBlock) -> bool:
-        return not block.misspells("reference") and any(block.unread_settings)
+        return any(block.unread_settings)
 
     def check(self, block: GazeboBlock) -> Iterator[Diagnostic]:
         misplaced: dict[str, list[Element]] = {}
@@ -66,4 +66,4 @@ class UnreadSetting(Rule):
             message = f"`{name}` is a setting {where}: it is dropped"
             if others:
                 message = f"`{name}` and {len(others)} more are settings {where}: they are dropped"
-            yield self.diagnostic(elements[0], message)
+            yield self.diagnostic(elements[0], message, cause=block.misnamed("reference"))

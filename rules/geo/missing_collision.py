@@ -147,7 +147,12 @@ def wheels(model: Model) -> list[tuple[Link, str]]:
 def touches(link: Link) -> bool:
     """Has a link a collision, or one that is tied to it, or one that is switched off or misspelled?"""
     return any(
-        (link.has("collision"), link.misspells("collision"), link.switches_off("collision"), is_covered(link))
+        (
+            link.has("collision"),
+            link.misnamed("collision"),
+            link.switches_off("collision"),
+            is_covered(link),
+        )
     )
 
 
@@ -158,7 +163,7 @@ def lacking(model: Model) -> list[tuple[Link, Link | None]]:
     if model.may_be_static:
         return []
     moving = [link for link in model.links if link.has("visual") and moves(link)]
-    bare = [link for link in moving if not (link.has("collision") or link.misspells("collision"))]
+    bare = [link for link in moving if not (link.has("collision") or link.misnamed("collision"))]
     bare = [link for link in bare if not is_weightless(link)]
     if any(link.has_mass for link in moving):
         bare = [link for link in bare if link.has_mass]  # else that is the mistake

@@ -71,7 +71,8 @@ class SunkenModel(Rule):
             target = start if pose is None or not pose.content else pose.own_value
             deep = f"{depth:.3g} m" if depth >= 1 else f"{depth * 1000:.3g} mm"
             message = f"{model.title} starts {deep} deep in the ground"
-            yield self.diagnostic(target, message, labels={shape: "its lowest collision"})
+            labels, cause = {shape: "its lowest collision"}, model.misnamed("pose")
+            yield self.diagnostic(target, message, labels=labels, cause=cause)
 
 
 def sunken(world: World) -> Iterator[tuple[Model, Shape, float]]:
@@ -82,11 +83,7 @@ def sunken(world: World) -> Iterator[tuple[Model, Shape, float]]:
         each.get("name") for state in world.element.children("state") for each in state.children("model")
     }
     for model in world.models if floor is not None else ():
-        is_held = (
-            model.may_be_static
-            or model.misspells("pose")
-            or any(joint.parent_name == "world" for joint in model.joints)
-        )
+        is_held = model.may_be_static or any(joint.parent_name == "world" for joint in model.joints)
         lowest = None if is_held or model.name in recorded else model.lowest
         if floor is not None and lowest is not None and lowest[1] < floor - DEEP:
             yield model, lowest[0], floor - lowest[1]

@@ -71,12 +71,12 @@ class MissingInertial(Rule):
     def applies(link: Link) -> bool:
         if link.has("inertial") or link.is_urdf or link.may_be_static:
             return False  # In URDF what a link without inertial means depends on its joint.
-        return (has_shape(link) or is_between_joints(link)) and not link.misspells("inertial")
+        return has_shape(link) or is_between_joints(link)
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         where = "" if has_shape(link) else " between two joints"
         message = f"link `{link.name}`{where} has no inertial: simulators take 1 kg and unit inertia"
-        yield self.diagnostic(link, message)
+        yield self.diagnostic(link, message, cause=link.misnamed("inertial"))
 
 
 def has_shape(link: Link) -> bool:

@@ -110,10 +110,9 @@ class NonPositiveMass(Rule):
         if not _moves(link):
             affects[Consumer.MUJOCO] = _in_mujoco(inertial)
         affects |= _in_gazebo(link) if inertial.is_urdf else in_drake(inertial)
-        what = "negative" if mass.number < 0 else "not a number"
-        yield self.diagnostic(
-            mass, f"mass {mass.text} is {what}", labels={link: "the mass of this link"}, affects=affects
-        )
+        what, cause = ("negative", None) if mass.number < 0 else ("not a number", mass.span)
+        message, labels = f"mass {mass.text} is {what}", {link: "the mass of this link"}
+        yield self.diagnostic(mass, message, labels=labels, affects=affects, cause=cause)
 
 
 def _in_gazebo(link: Link) -> dict[Consumer, Reaction]:

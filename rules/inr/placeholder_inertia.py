@@ -80,7 +80,7 @@ class PlaceholderInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return not inertial.misspells("inertia") and is_first(inertial, is_placeholder)
+        return is_first(inertial, is_placeholder)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         is_written, mass = inertial.inertia is not None, inertial.mass.number
@@ -94,8 +94,9 @@ class PlaceholderInertia(Rule):
             shapes = f"{times(ratio(inertial))} what {mass:.6g} kg in this link's shapes have"
             message = f"the moments are those of a cube of 1 m, {shapes}"
         more, labels = others(inertial, is_placeholder)
+        place, cause = inertial.moments_element, inertial.misnamed("inertia")
         yield self.diagnostic(
-            inertial.moments_element, message + more, labels={inertial.link: "this link", **labels}
+            place, message + more, labels={inertial.link: "this link", **labels}, cause=cause
         )
 
 

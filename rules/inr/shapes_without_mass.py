@@ -64,12 +64,13 @@ class ShapesWithoutMass(Rule):
             f"{link.title} moves and has shapes, but no inertial; {other.title}, which is fixed to it,"
             f" has {other.inertial.mass.text} kg",
             labels={other: "fixed to it"},
+            cause=link.misnamed("inertial"),
         )
 
 
 def weight(link: Link) -> Link | None:
     """The first link fixed to one that moves without mass that has some."""
-    if link.has("inertial") or not link.has("collision") or link.misspells("inertial"):
+    if link.has("inertial") or not link.has("collision"):
         return None
     if not any(joint.moves for joint in link.parent_joints):
         return None

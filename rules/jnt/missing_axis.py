@@ -49,11 +49,13 @@ class MissingAxis(Rule):
         return not joint.is_urdf and bool(missing(joint))
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
-        names = " and no ".join(f"`{name}`" for name in missing(joint))
-        yield self.diagnostic(joint, f"{joint.title} of type {joint.type} has no {names}")
+        names = missing(joint)
+        lacks = " and no ".join(f"`{name}`" for name in names)
+        cause = joint.misnamed(names[0])
+        yield self.diagnostic(joint, f"{joint.title} of type {joint.type} has no {lacks}", cause=cause)
 
 
 def missing(joint: Joint) -> list[str]:
     """The axes that its type needs and nobody wrote."""
     axes = zip(joint.axes, ("axis", "axis2"), strict=False)
-    return [name for axis, name in axes if not axis.is_given and not joint.misspells(name)]
+    return [name for axis, name in axes if not axis.is_given]

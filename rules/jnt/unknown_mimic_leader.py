@@ -67,8 +67,6 @@ class UnknownMimicLeader(Rule):
         if mimic.is_urdf:
             return not joint.is_fixed
         name, scope = mimic.leader_name, joint.scope
-        if scope.has_lost(name):
-            return False
         return scope.resolve(name) is not None or not ("" in name.split("::") or scope.may_hold(name))
 
     def check(self, mimic: Mimic) -> Iterator[Diagnostic]:
@@ -79,4 +77,5 @@ class UnknownMimicLeader(Rule):
             yield self.diagnostic(mimic.attribute("axis") or value, message)
             return
         message = f"{joint.title} mimics `{mimic.leader_name}`, which is not a joint of its model"
-        yield self.diagnostic(value, message, meant=mimic.leader_guess)
+        cause = joint.scope.fault_of(mimic.leader_name)
+        yield self.diagnostic(value, message, meant=mimic.leader_guess, cause=cause)

@@ -51,19 +51,21 @@ class MissingPluginAttribute(Rule):
         if lacks_file(plugin):
             value = plugin.filename_value
             if value is None:
-                yield self.diagnostic(plugin, f"{title} has no `filename`")
+                cause = plugin.misnamed("filename")
+                yield self.diagnostic(plugin, f"{title} has no `filename`", cause=cause)
             else:
                 yield self.diagnostic(value.name_span, f"`filename` of {title} is empty")
         if lacks_name(plugin):
             message = f"{title} has no `name`, required up to version 1.9"
-            yield self.diagnostic(plugin, message, severity=Severity.WARNING, affects=OLDER)
+            cause = plugin.misnamed("name")
+            yield self.diagnostic(plugin, message, severity=Severity.WARNING, affects=OLDER, cause=cause)
 
 
 def lacks_file(plugin: Plugin) -> bool:
-    return not plugin.filename and not plugin.misspells("filename")
+    return not plugin.filename
 
 
 def lacks_name(plugin: Plugin) -> bool:
     if plugin.name_value is not None or plugin.root.is_urdf:
         return False
-    return plugin.root.is_older_than(NAMELESS_SINCE) and not plugin.misspells("name")
+    return plugin.root.is_older_than(NAMELESS_SINCE)

@@ -124,14 +124,15 @@ class UnknownPluginReference(Rule):
             message = f"`{parameter}` of {plugin.title} names {kind} `{name}`, which is not in {model.title}"
             meant: str | None = None
             instead: str | None = None
+            cause = None
             if node is not None and node.kind == kind:
                 message = f"{kind} `{name}` is fixed, and libsdformat merges it away"
                 instead = "name a joint that moves, or keep this one with `<preserveFixedJoint>`"
             elif node is not None:
                 message = f"`{name}` is a {node.kind}, not a {kind}, for `{parameter}` of {plugin.title}"
             else:
-                meant = model.guess(name, kind=kind).meant
-            yield self.diagnostic(value, message, meant=meant, help=instead)
+                meant, cause = model.guess(name, kind=kind).meant, model.fault_of(name)
+            yield self.diagnostic(value, message, meant=meant, help=instead, cause=cause)
 
     def _scoped(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for value, kind, model, node in plugin.scoped:

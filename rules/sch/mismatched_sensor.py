@@ -65,9 +65,7 @@ class MismatchedSensor(Rule):
     @staticmethod
     def applies(sensor: Sensor) -> bool:
         expected = sensor.settings_names if sensor.is_extension or not sensor.is_urdf else ()
-        if not expected or any(sensor.misspells(name) for name in expected):
-            return False
-        return wrong_settings(sensor) is not None or lacks_settings(sensor)
+        return bool(expected) and (wrong_settings(sensor) is not None or lacks_settings(sensor))
 
     def check(self, sensor: Sensor) -> Iterator[Diagnostic]:
         kind, names, wrong = sensor.type_value, sensor.settings_names, wrong_settings(sensor)
@@ -75,11 +73,13 @@ class MismatchedSensor(Rule):
             return
         expected = next((name for name in names if sensor.type.endswith(name)), names[0])
         subject = f"{sensor.title} of type `{sensor.type}`"
+        cause = next(filter(None, map(sensor.misnamed, names)), None)
         if wrong is None:
-            yield self.diagnostic(kind, f"{subject} has no `{expected}`, so it runs on defaults")
+            message = f"{subject} has no `{expected}`, so it runs on defaults"
+            yield self.diagnostic(kind, message, cause=cause)
             return
         message = f"{subject} does not read `{wrong.name}`, but `{expected}`"
-        yield self.diagnostic(wrong, message, labels={kind: "the type"})
+        yield self.diagnostic(wrong, message, labels={kind: "the type"}, cause=cause)
 
 
 def wrong_settings(sensor: Sensor) -> Element | None:

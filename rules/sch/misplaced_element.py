@@ -9,6 +9,7 @@ from sdfcheck import (
     Element,
     Fix,
     Good,
+    Root,
     Rule,
     Severity,
     named,
@@ -156,7 +157,8 @@ class MisplacedElement(Rule):
             is_recorded = (parent.name == "link" and RECORD in problem.places) or in_state(parent)
             severity = Severity.WARNING if is_recorded or problem.is_default else self.severity
             fix = rename(problem.suggestion, element)
-            yield self.diagnostic(element, misplaced(problem), fix=fix, severity=severity)
+            cause = element.document.view(Root).part_of(parent).misnamed("reference")
+            yield self.diagnostic(element, misplaced(problem), fix=fix, severity=severity, cause=cause)
         else:
             message = f"{misplaced(problem)}; libsdformat follows it anyway"
             yield self.diagnostic(element, message, severity=Severity.WARNING)

@@ -144,7 +144,9 @@ class MissingAttribute(Rule):
         if problem.until is None:
             affects = dict(lacking(element, name))
             severity = Severity.WARNING if is_harmless(affects) else None
-            yield self.diagnostic(target, message, affects=affects, severity=severity, fix=fix)
+            yield self.diagnostic(
+                target, message, affects=affects, severity=severity, fix=fix, repeats=problem.others
+            )
             return
         message += f", required up to version {problem.until}"
         affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))

@@ -157,7 +157,7 @@ class MissingElement(Rule):
             yield self.diagnostic(place, message, severity=severity, fix=fix, affects=affects, labels=labels)
             return
         if problem.default is not None:
-            is_one = len(problem.attributes) < 2
+            is_one = len(problem.attributes) < 2 and not problem.others
             message += f", so the default {problem.default} applies" if is_one else ", so the defaults apply"
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         if problem.attributes:
@@ -171,10 +171,12 @@ class MissingElement(Rule):
 
 def refusals(problem: problems.MissingElement) -> dict[Consumer, Reaction]:
     """The consumers that refuse the file for it; Drake needs no link, but the name that a placeholder lacks, too."""
-    affects = dict(lacking(problem.element, problem.child))
-    return (
-        {**affects, Consumer.DRAKE: refuses("wants a name")} if is_placeholder(problem.element) else affects
-    )
+    affects: dict[Consumer, Reaction] = {}
+    for child in (*problem.others, problem.child):
+        affects |= lacking(problem.element, child)
+    if is_placeholder(problem.element):
+        affects[Consumer.DRAKE] = refuses("wants a name")
+    return affects
 
 
 def is_placeholder(element: Element) -> bool:

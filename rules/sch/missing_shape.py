@@ -37,7 +37,8 @@ class MissingShape(Rule):
     def check(self, root: Root) -> Iterator[Diagnostic]:
         for element in without_shape(root):
             what = "shape" if element.name == "geometry" else "`geometry`"
-            yield self.diagnostic(element, f"{element.title} has no {what}")
+            cause = root.part_of(element).misnamed("geometry")
+            yield self.diagnostic(element, f"{element.title} has no {what}", cause=cause)
 
 
 def without_shape(root: Root) -> Iterator[Element]:
@@ -48,11 +49,7 @@ def without_shape(root: Root) -> Iterator[Element]:
     shaped = {geometry.parent for geometry in geometries}
     for kind in ("visual", "collision"):
         for element in root.elements.get(kind, ()):
-            if (
-                element not in shaped
-                and is_of_link(element)
-                and not root.part_of(element).misspells("geometry")
-            ):
+            if element not in shaped and is_of_link(element):
                 yield element
     for geometry in geometries:
         is_empty = next(geometry.children(), None) is None

@@ -39,7 +39,7 @@ class MissingVersion(Rule):
 
     @staticmethod
     def applies(root: Root) -> bool:
-        if root.is_urdf or root.element.name != "sdf" or root.misspells("version"):
+        if root.is_urdf or root.element.name != "sdf":
             return False
         return not (root.version or "").strip()
 
@@ -55,4 +55,5 @@ class MissingVersion(Rule):
             return
         after = element.span._replace(start=element.span.end)
         fix = make_fix(title, (TextEdit(after, f' version="{assumed}"'),), unsafe=True)
-        yield self.diagnostic(element, f"`{element.name}` has no `version`", fix=fix)
+        cause = root.misnamed("version")
+        yield self.diagnostic(element, f"`{element.name}` has no `version`", fix=fix, cause=cause)

@@ -77,7 +77,10 @@ class DisconnectedLink(Rule):
                 labels = {tree.top(tree.groups[0]): "the root of the rest"}
                 # MuJoCo, which the robot has settings for, fixes it to the world.
                 severity = Severity.WARNING if may_be or is_for_mujoco else None
-                yield self.diagnostic(link, message, labels=labels, affects=known, severity=severity)
+                cause = robot.misnamed("joint")
+                yield self.diagnostic(
+                    link, message, labels=labels, affects=known, severity=severity, cause=cause
+                )
 
 
 def _tied_for_drake(robot: Model) -> Iterator[str]:

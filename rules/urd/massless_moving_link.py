@@ -95,8 +95,6 @@ class MasslessMovingLink(Rule):
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         built, links = robot.as_built_by(Consumer.GAZEBO), dropped(robot)
         for link in links:
-            if any(map(built.is_miswritten, built.members(link))):
-                continue
             joint = link.parent_joints[0]
             members = list(link.below())
             below = len(members) - 1
@@ -110,7 +108,8 @@ class MasslessMovingLink(Rule):
                 message += f", and refuses {follower.title}, which follows {leader.parent_joints[0].title}"
                 labels[follower] = "follows it"
             affects, mass = _affects(link, built.refused_without(link)), link.inertial.mass
-            yield self.diagnostic(mass if mass.is_given else link, message, labels=labels, affects=affects)
+            place, cause = mass if mass.is_given else link, built.mass_fault(link)
+            yield self.diagnostic(place, message, labels=labels, affects=affects, cause=cause)
         for link in faint(robot):
             mass = link.inertial.mass
             message = (

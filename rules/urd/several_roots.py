@@ -52,6 +52,5 @@ class SeveralRoots(Rule):
             if len(group) > 1:
                 root = tree.top(group)
                 message = f"{root.title} is the root of a second tree ({len(group)} links)"
-                yield self.diagnostic(
-                    root, message, labels={tree.top(tree.groups[0]): "the root of the largest"}
-                )
+                labels, cause = {tree.top(tree.groups[0]): "the root of the largest"}, robot.misnamed("joint")
+                yield self.diagnostic(root, message, labels=labels, cause=cause)

@@ -86,8 +86,7 @@ class UndefinedMaterial(Rule):
             yield self.diagnostic(material, f"{material.title} has neither color nor texture")
         for material, first in robot.material_names.redefined:
             yield self.redefined(material, first)
-        undefined = robot.material_names.undefined if not robot.misspells("material") else {}
-        for name, uses in undefined.items():
+        for name, uses in robot.material_names.undefined.items():
             yield self.undefined(robot, name, uses)
 
     def redefined(self, material: Material, first: Material) -> Diagnostic:
@@ -111,7 +110,7 @@ class UndefinedMaterial(Rule):
         near = robot.nearest(name, defined)
         fix = write_instead(near, *(use.name_value or use for use in uses))
         message = f"material `{name}` is not defined{used(len(uses))}"
-        return self.diagnostic(place, message, meant=near, fix=fix)
+        return self.diagnostic(place, message, meant=near, fix=fix, cause=robot.misnamed("material"))
 
 
 def is_empty(material: Material) -> bool:

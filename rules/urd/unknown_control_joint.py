@@ -52,4 +52,4 @@ class UnknownControlJoint(Rule):
         for value in control.unresolved:
             message = f"{control.title} is for joint `{value.text}`, which does not exist"
             near = control.nearest(value.text, control.model.driven)
-            yield self.diagnostic(value, message, meant=near)
+            yield self.diagnostic(value, message, meant=near, cause=control.model.fault_of(value.text))

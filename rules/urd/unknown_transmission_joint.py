@@ -64,7 +64,7 @@ class UnknownTransmissionJoint(Rule):
         for value in transmission.unresolved:
             message = f"{transmission.title} is for joint `{value.text}`, which does not exist"
             near = transmission.nearest(value.text, transmission.model.driven)
-            yield self.diagnostic(value, message, meant=near)
+            yield self.diagnostic(value, message, meant=near, cause=transmission.model.fault_of(value.text))
         for value, joint in fixed_joints(transmission):
             message = f"{transmission.title} is for joint `{value.text}`, which is fixed"
             yield self.diagnostic(

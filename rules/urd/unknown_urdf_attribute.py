@@ -83,6 +83,7 @@ class UnknownUrdfAttribute(Rule):
             severity=severity,
             fix=rename(problem),
             affects=affects,
+            repeats=[use.name_span for use in problem.uses[1:]],
         )
 
 

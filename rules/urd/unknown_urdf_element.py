@@ -130,6 +130,7 @@ class UnknownUrdfElement(Rule):
             severity=severity,
             fix=fix,
             affects=affects,
+            repeats=problem.uses[1:],
         )
 
 

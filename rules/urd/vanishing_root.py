@@ -83,7 +83,7 @@ class VanishingRoot(Rule):
             yield self.diagnostic(robot.links[0], message, severity=Severity.INFO)
         built = robot.as_built_by(Consumer.GAZEBO)
         for top in built.tops:
-            if top in built.with_mass or any(map(built.is_miswritten, built.members(top))):
+            if top in built.with_mass:
                 continue
             if built.is_left_out(top) and built.links:
                 yield self.left_out(top, built.orphaned.get(top))
@@ -99,7 +99,7 @@ class VanishingRoot(Rule):
                     affects[Consumer.GAZEBO] = warns("loads an empty model")
                 yield self.diagnostic(top, message, severity=Severity.INFO, affects=affects)
                 continue
-            yield self.diagnostic(top, message, affects=affects)
+            yield self.diagnostic(top, message, affects=affects, cause=built.mass_fault(top))
 
     def left_out(self, top: Link, lost: BuiltJoint | None) -> Diagnostic:
         if lost is None:

@@ -28,6 +28,7 @@ from sdfcheck.source.text import is_expression
 if TYPE_CHECKING:
     from sdfcheck.robot.graph import GazeboBlock, Joint, Link, Model, Plugin, Sensor, Shape
     from sdfcheck.source.document import Document, Element
+    from sdfcheck.source.text import Span
 
 WORLD = "world"
 LEAST = 1e-6
@@ -226,9 +227,9 @@ class GazeboRobot:
         parents = (joint.parent_link for joint in self.model.tree.joints if joint.is_lumped)
         return _with_above(link for link in parents if link is not None)
 
-    def is_miswritten(self, link: Link) -> bool:
-        """Has the link no mass because urdfdom fails before it has read the one that is there, or it is negative?"""
-        return link.has_mass and (link.inertial.mass.number < 0 or _is_cut(link.inertial.element))
+    def mass_fault(self, base: Link) -> Span | None:
+        """The place of the mistake for which a link, with all that is merged into it, has no mass."""
+        return next(filter(None, map(_mass_fault, self.members(base))), None)
 
     def is_dropped(self, link: Link) -> bool:
         """Is it left out: without mass once links are merged, or on such a link?"""
@@ -394,7 +395,27 @@ def _mass(link: Link) -> float:
 
 def _is_cut(inertial: Element) -> bool:
     """Does urdfdom fail on a number before it has the mass?"""
-    return any(_fails(part) for name in ("origin", "mass") for part in inertial.children(name))
+    return next(_cuts(inertial), None) is not None
+
+
+def _cuts(inertial: Element) -> Iterator[Element]:
+    """The parts with a number on which urdfdom fails before it has the mass."""
+    return (part for name in ("origin", "mass") for part in inertial.children(name) if _fails(part))
+
+
+def _mass_fault(link: Link) -> Span | None:
+    """The place of the mistake for which a link has no mass, or none that is read."""
+    inertial = link.inertial
+    if not inertial.is_given:
+        return link.misnamed("inertial")
+    mass = inertial.find("mass")
+    if mass is None:
+        return inertial.misnamed("mass") or inertial.span
+    if (cut := next(_cuts(inertial.element), None)) is not None:
+        return cut.document.spans.whole(cut)
+    if "value" not in mass.attributes:
+        return inertial.part(mass).misnamed("value") or mass.span
+    return inertial.mass.span if inertial.mass.number < 0 else None
 
 
 def _read(link: Link) -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:

@@ -242,6 +242,22 @@ def folded_texts(found: list[object]) -> list[object]:
     return result
 
 
+def folded_children(found: list[object]) -> list[object]:
+    """The problems, with one for all children that an element lacks."""
+    result: list[object] = []
+    first: dict[tuple[Element, bool], int] = {}
+    for each in found:
+        if isinstance(each, MissingElement) and each.text is None and not each.attributes:
+            at = first.setdefault((each.element, each.refused), len(result))
+            if at < len(result):
+                one = result[at]
+                assert isinstance(one, MissingElement)
+                result[at] = one.changed(others=(*one.others, each.child))
+                continue
+        result.append(each)
+    return result
+
+
 def counted(found: list[object], strange: Counter[Element]) -> list[object]:
     """The problems; where an element has too many unknown attributes, its first says how many there are."""
     reported: set[Element] = set()

@@ -104,7 +104,12 @@ class Diagnostic(NamedTuple):
     missing: Missing | None = None
     """Given where the finding is about this computer, and the file may be sound."""
     cause: Span | None = None
-    """The fault in a text that this follows from: where another error is reported on its line, this is not."""
+    """The place of what this follows from: where another finding begins there, this one is part of that.
+
+    Of a fault that xacro meets, which need not be found at the same place: where an error is on its line.
+    """
+    repeats: tuple[Span, ...] = ()
+    """Further places of the same mistake, which the message only counts."""
     moment: Moment | None = None
     """Given where the finding is about a robot that moves."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cache, cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -140,7 +140,19 @@ def lint_document(document: Document, dispatch: Dispatch) -> list[Diagnostic]:
         library.shelves.save()
     # Where the text could only be guessed at, its own problems say why; the rest follows from the guess.
     certain = (diagnostic for diagnostic in found if not document.is_doubtful(diagnostic.span))
-    return sorted({*textual, *certain}, key=lambda diagnostic: diagnostic.sort_key)
+    return sorted(united({*textual, *certain}, document), key=lambda diagnostic: diagnostic.sort_key)
+
+
+def united(found: Collection[Diagnostic], document: Document) -> Collection[Diagnostic]:
+    """The findings without those that follow from another one, which is as severe and does what they do.
+
+    Those of a text for xacro may follow from one in another file, and wait for the end of the run.
+    """
+    if document.kind is Kind.XACRO or not any(each.cause for each in found):
+        return found
+    from sdfcheck.lint.fold import with_consequences
+
+    return with_consequences(found)
 
 
 def analyses(document: Document) -> Iterator[Callable[[Document], Iterable[object]]]:

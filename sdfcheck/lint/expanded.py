@@ -12,7 +12,7 @@ from types import MappingProxyType
 from sdfcheck.formats.urdf.survey import is_unknown
 from sdfcheck.lint.diagnostic import Diagnostic, Severity
 from sdfcheck.lint.engine import Dispatch, Xacro, explain, lint_document, look_at
-from sdfcheck.lint.fold import fold, settle, without_repeats
+from sdfcheck.lint.fold import fold, settle, with_consequences, without_repeats
 from sdfcheck.robot.graph import GazeboBlock, Joint, Link
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.resources import Pieces
@@ -128,7 +128,7 @@ def _lint_pieces(document: Document, pieces: Iterable[Element], dispatch: Dispat
     bodies = Bodies(document, pieces)
     found = list(explain(bodies.problems, document, dispatch))
     parts = list(parts_in_macros(document, bodies.elements))
-    return found + list(look_at(parts, bodies.elements, document, dispatch))
+    return with_consequences([*found, *look_at(parts, bodies.elements, document, dispatch)])
 
 
 # Lints the robots that other arguments make: each boolean turned, each empty prefix filled.

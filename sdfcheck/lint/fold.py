@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from sdfcheck.consumers.reaction import Verdict
 from sdfcheck.files.library import Disk
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Fix
@@ -155,6 +157,53 @@ def _one(group: list[Diagnostic]) -> Diagnostic:
 def _written(fix: Fix | None) -> object:
     """A fix by what it writes, wherever macro calls and includes led to its places."""
     return fix and (*fix[:1], *fix[2:], *(edit._replace(span=Span(*edit.span)) for edit in fix.edits))
+
+
+def with_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
+    """The findings of one document, each with those that follow from it taken up by it.
+
+    A finding follows from the first one that begins in its ``cause``, an error rather than a warning, or from what
+    that one follows from. Where nothing begins there, it is a mistake of its own.
+    """
+    chosen = sorted(found, key=lambda each: (each.cause is None, each.severity.rank, each.sort_key))
+    at = {(span.source, span.start): each for each in chosen for span in (*each.repeats, each.span)}
+    starts = sorted(start for _, start in at)
+
+    def before(each: Diagnostic) -> Diagnostic:
+        if (cause := each.cause) is None:
+            return each
+        near = starts[bisect_left(starts, cause.start) : bisect_right(starts, cause.end)]
+        return next((at[cause.source, start] for start in near if (cause.source, start) in at), each)
+
+    taken: dict[Diagnostic, Diagnostic] = {}
+    for each in chosen:
+        first = each
+        for _ in range(_MOST_STEPS):
+            first = before(first)
+        known = taken.get(first) or first._replace(cause=None)
+        taken[first] = known if first is each else _with_consequence(known, each)
+    return list(taken.values())
+
+
+def _with_consequence(diagnostic: Diagnostic, other: Diagnostic) -> Diagnostic:
+    """The diagnostic, as severe as one that follows from it, with what consumers do for that."""
+    worst = dict(diagnostic.affects)
+    for consumer, reaction in other.affects:
+        known = worst.setdefault(consumer, reaction)
+        worst[consumer] = max(known, reaction, key=lambda each: _VERDICTS.index(each.verdict))
+    severity = max(diagnostic.severity, other.severity, key=lambda each: each.rank)
+    labels = diagnostic.labels
+    if other.span.text == diagnostic.span.text and len(labels) < _MOST_LABELS:
+        labels = (*labels, Label(other.span, "named here, too"))
+    return diagnostic._replace(severity=severity, affects=tuple(sorted(worst.items())), labels=labels)
+
+
+_VERDICTS = tuple(Verdict)
+
+
+_MOST_STEPS = 4
+"""So many findings may follow one from the other."""
+_MOST_LABELS = 4
 
 
 def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:

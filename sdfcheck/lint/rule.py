@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from sdfcheck.consumers.reaction import Affects, Consumer, Reaction
@@ -90,14 +90,13 @@ class Rule:
         affects: Mapping[Consumer, Reaction] | None = None,
         missing: Missing | None = None,
         cause: Span | None = None,
+        repeats: Iterable[Target] = (),
     ) -> Diagnostic:
         """A diagnostic of this rule; ``labels`` are further targets and what they have to do with it.
 
-        ``meant`` is the name that was probably meant at the target: the message asks whether it was,
-        and an unsafe fix writes it, if no other ``fix`` is given.
+        ``meant`` is the name that was probably meant there: an unsafe fix writes it, if no other ``fix`` is given.
         The first sentence of ``remedy`` is the help of one without a fix; an empty ``help`` leaves it out.
-        ``severity`` is given only where it depends on the case; so is what consumers do in
-        ``affects``, for some of those that the rule names. ``missing`` and ``cause``: see :class:`Diagnostic`.
+        ``severity``, and ``affects`` of a consumer, are given where they depend on the case. See :class:`Diagnostic`.
         """
         if meant:
             message = f"{message}; {question(span_of(target).text, meant)}"
@@ -115,6 +114,7 @@ class Rule:
             tuple((consumer.value, reaction) for consumer, reaction in (affects or {}).items()),
             missing,
             cause,
+            tuple(map(span_of, repeats)),
         )
 
 

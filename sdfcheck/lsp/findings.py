@@ -197,7 +197,7 @@ def _noted(before: Noted, own: Noted, units: list[Element]) -> Noted:
         joined(before.named, own.named),
         joined(before.displaced, own.displaced),
         joined(before.replaced, own.replaced),
-        {*(each for each in before.misspelled if each[0] not in seen), *own.misspelled},
+        {**{key: span for key, span in before.misspelled.items() if key[0] not in seen}, **own.misspelled},
     )
 
 

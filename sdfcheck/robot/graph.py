@@ -152,10 +152,10 @@ class Inertial(Part):
         if self.is_urdf:
             return all(moment.is_given for moment in self.moments.values())
         if inertia is None:
-            return not self.misspells("inertia")
+            return not self.misnamed("inertia")
         written = self.part(inertia)
         return not any(
-            written.misspells(name) or (written.value(name) is not None and not moment.is_given)
+            written.misnamed(name) or (written.value(name) is not None and not moment.is_given)
             for name, moment in self.moments.items()
         )
 
@@ -1967,12 +1967,8 @@ class Plugin(Part):
 
     @property
     def unresolved(self) -> tuple[PluginReference, ...]:
-        """The parameters that name a joint or link which its model does not have, and no part of it has lost."""
-        return tuple(
-            each
-            for each in self.references
-            if each.is_unresolved and (each.node or not each.model.has_lost(each.value.text.strip()))
-        )
+        """The parameters that name a joint or link which its model does not have."""
+        return tuple(each for each in self.references if each.is_unresolved)
 
     @property
     def scoped(self) -> tuple[PluginReference, ...]:
@@ -2583,10 +2579,9 @@ class JointNames(Part):
 
     @property
     def unresolved(self) -> tuple[Value, ...]:
-        """The names that no joint of the robot has, or has lost; what is yet to be expanded is left out."""
+        """The names that no joint of the robot has; what is yet to be expanded is left out."""
         known = self.model.driven
-        unknown = (v for v in self.joint_names if v.text not in known and not is_expression(v.text))
-        return tuple(v for v in unknown if not self.model.has_lost(v.text))
+        return tuple(v for v in self.joint_names if v.text not in known and not is_expression(v.text))
 
 
 class Transmission(JointNames):
@@ -3105,7 +3100,7 @@ def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
     """
     if not unresolved:
         return frozenset()
-    nameless = scope.nameless
+    nameless = len(scope.nameless)
     if len(unresolved) <= nameless:
         return frozenset(unresolved)
     parts = [child for child in scope.children() if child.name in NODES]
@@ -3188,15 +3183,35 @@ class Scope(Namespace):
         return lost_names(self, self.unresolved)
 
     @lazy
-    def nameless(self) -> int:
-        """So many parts of it have no name, or are misspelled."""
-        parts = (child for child in self.children() if child.name in NODES)
-        unnamed = sum(not part.attributes.get("name", "").strip() for part in parts)
-        return unnamed + sum(map(self.misspells, NODES))
+    def nameless(self) -> tuple[Span, ...]:
+        """The places of parts of it that have no name, or are misspelled, where that is reported."""
+        found = [span for name in sorted(NODES) if (span := self.misnamed(name)) is not None]
+        for element in self.children():
+            if element.name in NODES and not element.attributes.get("name", "").strip():
+                name, part = element.attribute("name"), self.part(element)
+                found.append(part.misnamed("name") or element.span if name is None else name.span)
+        return tuple(found)
 
-    def has_lost(self, name: str) -> bool:
-        """May a name that nothing has be that of a part which has lost its name?"""
-        return self.nameless > 0 and len(self.unresolved) + (name not in self.unresolved) <= self.nameless
+    def fault_of(self, name: str) -> Span | None:
+        """Where it is reported that nothing has a name: at the part that may have lost it, else where it is first used.
+
+        By the ends of joints before the joints that mimic one.
+        """
+        count = len(self.unresolved) + (name not in self.unresolved)
+        if count <= len(self.nameless):
+            return self.nameless[0]
+        return self._uses.get(name)
+
+    @lazy
+    def _uses(self) -> dict[str, Span]:
+        """Name → where the parts of this scope use it first."""
+        mimics = (axis.mimic for joint in self.joints for axis in joint.axes)
+        leaders = (mimic.leader_value for mimic in mimics if mimic is not None)
+        found: dict[str, Span] = {name: ends[0].span for name, ends in self.unresolved.items()}
+        for value in leaders:
+            if value is not None:
+                found.setdefault(value.text.strip(), value.span)
+        return found
 
     # Parts by name
 
@@ -3841,10 +3856,10 @@ class GazeboBlock(Part):
         super().__init__(holder, element)
         self.is_urdf = False
 
-    def misspells(self, name: str) -> bool:
-        from sdfcheck.formats.urdf.findings import misspells
+    def misnamed(self, name: str) -> Span | None:
+        from sdfcheck.formats.urdf.findings import misnamed
 
-        return misspells(self.element, name)
+        return misnamed(self.element, name)
 
     @property
     def model(self) -> Model:
@@ -4060,7 +4075,7 @@ class World(Scope):
     def has_unclear_system(self) -> bool:
         """Is a plugin of it misspelled, or the file of one, so that it may be any system?"""
         unclear = (plugin for plugin in self.plugins if not plugin.filename.strip() or plugin.meant_file)
-        return next(unclear, None) is not None or self.misspells("plugin")
+        return next(unclear, None) is not None or self.misnamed("plugin") is not None
 
     @lazy
     def unserved_sensors(self) -> tuple[tuple[Sensor, tuple[str, ...]], ...]:

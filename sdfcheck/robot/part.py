@@ -235,16 +235,15 @@ class Part:
         """Is it in a ``<gazebo>`` block of a URDF file, so that only Gazebo reads it?"""
         return self.root.is_urdf and not self.is_urdf
 
-    def misspells(self, name: str) -> bool:
-        """Does it lack a child or attribute of that name only because it is misspelled?"""
+    def misnamed(self, name: str) -> Span | None:
+        """The place of a child or attribute for whose misspelling it lacks one of that name."""
         if not self.is_given:
-            return False
+            return None
         if self.is_urdf:
-            from sdfcheck.formats.urdf.findings import misspells
+            from sdfcheck.formats.urdf.findings import misnamed
 
-            return misspells(self.element, name)
-
-        return (self.element, name) in notes(self.document).misspelled
+            return misnamed(self.element, name)
+        return notes(self.document).misspelled.get((self.element, name))
 
     def switches_off(self, name: str) -> bool:
         """Is a child of that name in a comment?"""
@@ -265,7 +264,7 @@ class Part:
 
     def lacks(self, name: str) -> bool:
         """Is there neither an attribute nor a child element of a name, not even a misspelled one?"""
-        if self.value(name) is not None or self.misspells(name):
+        if self.value(name) is not None or self.misnamed(name):
             return False
         if not self.is_unfinished:
             return True

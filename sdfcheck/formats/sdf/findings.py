@@ -12,6 +12,7 @@ from sdfcheck.formats.findings import (
     counted,
     folded,
     folded_attributes,
+    folded_children,
     folded_texts,
     folded_values,
     judge,
@@ -27,6 +28,7 @@ from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.problems import SyntaxDefect, SyntaxKind
 from sdfcheck.source.sniff import Kind
+from sdfcheck.source.text import Span
 
 _NUMBERS = frozenset(("double", "float", "int", "unsigned int", "vector2d", "vector3", "pose"))
 
@@ -215,8 +217,8 @@ class SdfFindings(Findings):
         """Children that elements lack only because these are inside a custom element."""
         self.replaced: dict[Element, list[str]] = {}
         """Custom elements → the required ones that are absent where they are given."""
-        self.misspelled: set[tuple[Element, str]] = set()
-        """Parts that elements lack only because a child or attribute of theirs is misspelled."""
+        self.misspelled: dict[tuple[Element, str], Span] = {}
+        """Parts that elements lack only because a child or attribute of theirs is misspelled, with its place."""
         self.unknown: list[tuple[problems.UnknownElement, Definition]] = []
         self.misplaced: dict[Element, list[_Misplaced]] = {}
         """Those of each parent, by where they go."""
@@ -364,7 +366,7 @@ class SdfFindings(Findings):
             suggestion = suggest(name, lacking)
             needed = suggestion in definition.required_attributes
             if suggestion is not None:
-                self.misspelled.add((element, suggestion))
+                self.misspelled[element, suggestion] = Value(element, name, "").name_span
             meant = _OF_URDF.get((element.name, name), name)
             child = meant if meant in definition.children else None
             self.found.append(problems.UnknownAttribute(element, name, suggestion, needed, child=child))
@@ -415,7 +417,7 @@ class SdfFindings(Findings):
             if taken[key] or name is None:
                 self.found.append(problem)
                 continue
-            self.misspelled.add((parent, name))
+            self.misspelled[parent, name] = problem.element.span
             absent = lacking.get((parent, name))
             if key not in empty:
                 empty[key] = _is_empty(parent, name)
@@ -434,18 +436,18 @@ class SdfFindings(Findings):
                 lacking.setdefault(parent, []).append((name, place.children[name]))
         for at, problem in enumerate(self.found if lacking else ()):
             if isinstance(problem, problems.RemovedElement) and problem.successor is not None:
-                self.misspelled.add((problem.parent, problem.successor))
+                self.misspelled[problem.parent, problem.successor] = problem.element.span
             elif isinstance(problem, problems.MisplacedElement) and problem.suggestion is None:
                 absent = lacking.get(problem.parent, ())
                 if len(absent) == 1 and _holds(problem.element, absent[0][1]):
                     self.found[at] = problem.changed(suggestion=absent[0][0])
-                    self.misspelled.add((problem.parent, absent[0][0]))
+                    self.misspelled[problem.parent, absent[0][0]] = problem.element.span
 
     def conclude(self) -> list[object]:
         self.judge_unknown()
         self.judge_misplaced()
         for parent, place, name in self.missing_children:
-            if (parent, name) in self.misspelled | self.elsewhere:
+            if (parent, name) in self.misspelled or (parent, name) in self.elsewhere:
                 continue
             if (custom := self.replacement(parent, place, name)) is not None:
                 self.replaced.setdefault(custom, []).append(name)
@@ -453,7 +455,7 @@ class SdfFindings(Findings):
                 self.found.append(self.absent(parent, place, name))
         self.found += [group.problem for groups in self.misplaced.values() for group in groups]
         self.found = _without_strange_sensors(self.found)
-        self.found = folded_values(folded_attributes(folded_texts(self.found)))
+        self.found = folded_values(folded_children(folded_attributes(folded_texts(self.found))))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
         for (_, attribute, since), uses in self.uses_too_new.items():

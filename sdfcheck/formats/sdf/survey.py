@@ -19,6 +19,7 @@ from sdfcheck.source.sniff import Kind
 if TYPE_CHECKING:
     from sdfcheck.formats.sdf.findings import SdfFindings
     from sdfcheck.formats.topology import Displaced
+    from sdfcheck.source.text import Span
 
 PARAMETERS = "experimental:params"
 """The element of an include with its parameters."""
@@ -35,8 +36,8 @@ class Noted(NamedTuple):
     """Custom elements → the standard ones in them that could be beside them."""
     replaced: dict[Element, list[str]]
     """Custom elements → the required ones that are absent where they are given."""
-    misspelled: set[tuple[Element, str]]
-    """Parts that elements lack only because a child or attribute of theirs is misspelled."""
+    misspelled: dict[tuple[Element, str], Span]
+    """Parts that elements lack only because a child or attribute of theirs is misspelled, with its place."""
 
 
 class Survey:
@@ -57,7 +58,7 @@ class Survey:
         self.index = walk.index
         self.customs: list[Element] = []
         """Custom elements in standard ones, and in what parameters of includes add."""
-        self.noted = Noted(walk.named, {}, {}, walk.explained.misspelled if walk.explained else set())
+        self.noted = Noted(walk.named, {}, {}, walk.explained.misspelled if walk.explained else {})
         if walk.explained is not None:
             self._take_customs(walk.explained)
 

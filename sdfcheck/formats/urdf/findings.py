@@ -8,7 +8,7 @@ from functools import cache
 from math import isfinite
 
 from sdfcheck.formats import history, problems
-from sdfcheck.formats.findings import MOST, Findings, blanks_as_spaces, folded, problem_of
+from sdfcheck.formats.findings import MOST, Findings, blanks_as_spaces, folded, folded_children, problem_of
 from sdfcheck.formats.near_names import suggest
 from sdfcheck.formats.reading import AS_WRITTEN, Cause, Outcome, Reading, malformed, misread
 from sdfcheck.formats.schema import AttributeDefinition, Definition
@@ -19,7 +19,7 @@ from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents, urdf
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import is_expression
+from sdfcheck.source.text import Span, is_expression
 
 # The meaning of misspelled elements and attributes of URDF, among those that are missing beside them.
 
@@ -49,14 +49,15 @@ def _is_dropped(setting: Definition, block: Element) -> bool:
     )
 
 
-def misspells(element: Element, name: str) -> bool:
-    """Is there a misspelled attribute or child element that means one of this name?"""
+def misnamed(element: Element, name: str) -> Span | None:
+    """The place of the misspelled attribute or child element that means one of this name."""
     place = definition(element)
     if place is None:
-        return False
-    attributes = (meant_attribute(element, key, place) for key in element.attributes)
-    children = (meant_child(child, place) for child in element.children())
-    return name in attributes or name in children
+        return None
+    for key, text in element.attributes.items():
+        if meant_attribute(element, key, place) == name:
+            return Value(element, key, text).name_span
+    return next((child.span for child in element.children() if meant_child(child, place) == name), None)
 
 
 def definition(element: Element) -> Definition | None:
@@ -431,7 +432,7 @@ class UrdfFindings(Findings):
         for (tag, attribute, since), newer in self.uses_too_new.items():
             what, version = attribute or tag, str(self.version)
             self.found.append(problems.FeatureAboveVersion(newer[0], what, since, version, len(newer)))
-        return folded(self.found)
+        return folded(folded_children(self.found))
 
 
 @cache

@@ -145,7 +145,7 @@ def test_missing_elements(text: str, child: str, default: str | None, refused: b
 @pytest.mark.parametrize("kind", ["revolute", "fixed", "ball"])
 def test_joints_need_both_ends(kind: str) -> None:
     missing = found(f'<sdf version="1.9"><model name="m"><joint name="j" type="{kind}"/></model></sdf>')
-    assert [(p.child, p.refused) for p in missing] == [("parent", True), ("child", True)]
+    assert [(p.child, p.others, p.refused) for p in missing] == [("parent", ("child",), True)]
 
 
 @pytest.mark.parametrize(

@@ -97,12 +97,12 @@ def test_the_axes_of_a_joint_have_names() -> None:
 
 def test_misspelled_children() -> None:
     (one,) = root(links("a b") + joint("j", "a", "b", "<axsi/>")).each("Joint")
-    assert one.misspells("axis")
-    assert not one.misspells("axis2")
+    assert one.misnamed("axis")
+    assert not one.misnamed("axis2")
     end = '<joint name="j" type="fixed"><limti lower="0"/></joint>'
     (one,) = root(f'<robot name="r">{links("a")}{end}</robot>').each("Joint")
-    assert one.misspells("limit")
-    assert not one.misspells("axis")
+    assert one.misnamed("limit")
+    assert not one.misnamed("axis")
 
 
 @pytest.mark.parametrize(
