@@ -150,17 +150,18 @@ class UnknownJointEnd(Rule):
             labels = {outside: f"`{name}` is defined here"}
             message += " is outside, out of reach"
             return self.diagnostic(value, message, labels=labels, affects=_affects(joint, value))
-        message += " does not exist"
+        message, cause = f"{message} does not exist", joint.scope.fault_of(value.text)
         if others:
             message += f" (named {1 + len(others)} times)"
         if meant is None:
-            return self._absent(joint, value, message)
+            return self._absent(joint, value, message)._replace(cause=cause)
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else ""
         edits = tuple(TextEdit(end.span, meant) for end in (value, *others))
         fix = make_fix(f"write `{meant}`", edits, unsafe=True)
         question = None if is_deeper else meant
-        return self.diagnostic(value, message, meant=question, fix=fix, affects=_affects(joint, value))
+        affects = _affects(joint, value)
+        return self.diagnostic(value, message, meant=question, fix=fix, affects=affects, cause=cause)
 
     def _absent(self, joint: Joint, value: Value, message: str) -> Diagnostic:
         affects, advice, is_meant = _affects(joint, value), None, False

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, problems, replace
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Rule, Severity, problems, replace
 
 
 class UnknownAttribute(Rule):
@@ -75,14 +75,9 @@ class UnknownAttribute(Rule):
             return
         if problem.more:
             message += f", and {problem.more} more"
-        severity, affects = None, {}
-        if problem.needed:
-            severity = Severity.ERROR
-            # As of 1.10 a plugin needs no name, and old files are brought up to that first.
-            affects = {} if (element.name, guess) == ("plugin", "name") else {Consumer.GAZEBO: REFUSES}
         if guess is None or element.attribute(guess) is not None:
             advice = "give it a prefix if it is your own"
-            yield self.diagnostic(place, message, help=advice, severity=severity, affects=affects)
+            yield self.diagnostic(place, message, help=advice)
             return
         fix = replace(place, guess, f"rename it to `{guess}`", unsafe=True)
-        yield self.diagnostic(place, message, meant=guess, fix=fix, severity=severity, affects=affects)
+        yield self.diagnostic(place, message, meant=guess, fix=fix)

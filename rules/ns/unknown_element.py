@@ -8,16 +8,13 @@ from sdfcheck import (
     Bad,
     Consumer,
     Diagnostic,
-    Document,
     Element,
     Fix,
     Good,
     Inertial,
-    Model,
     Root,
     Rule,
     Severity,
-    World,
     problems,
     refuses,
     rename,
@@ -116,8 +113,8 @@ class UnknownElement(Rule):
     def check(self, problem: problems.UnknownElement) -> Iterator[Diagnostic]:
         element, guess = problem.element, problem.suggestion
         message = f"unknown element `{element.name}` in {problem.parent.title}"
-        is_refused = problem.refused or is_missed(problem) or is_moment(problem)
-        severity = Severity.ERROR if is_refused or problem.vital else None
+        is_refused = problem.refused or is_moment(problem)
+        severity = Severity.ERROR if is_refused else None
         if element.name == "origin" and problem.parent.name in PLACED and not problem.parent.has("pose"):
             message += ", which is `pose` in SDFormat"
             yield self.diagnostic(element, message, fix=as_pose(element), severity=severity)
@@ -135,22 +132,6 @@ class UnknownElement(Rule):
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
-
-
-def is_missed(problem: problems.UnknownElement) -> bool:
-    """Does a joint name it, or what is in it? libsdformat knows no such link, model or frame then."""
-    return (problem.parent, problem.element.attributes.get("name", "")) in problem.element.document.view(
-        missed
-    )
-
-
-def missed(document: Document) -> frozenset[tuple[Element, str]]:
-    """Model or world, and what joints in it name that has lost its name."""
-    root = document.view(Root)
-    scopes = (*root.each(Model), *root.each(World))
-    return frozenset(
-        (scope.element, name.partition("::")[0]) for scope in scopes for name in scope.lost_names
-    )
 
 
 def is_moment(problem: problems.UnknownElement) -> bool:

@@ -145,12 +145,19 @@ class MissingAttribute(Rule):
             affects = dict(lacking(element, name))
             severity = Severity.WARNING if is_harmless(affects) else None
             yield self.diagnostic(
-                target, message, affects=affects, severity=severity, fix=fix, repeats=problem.others
+                target,
+                message,
+                affects=affects,
+                severity=severity,
+                fix=fix,
+                cause=problem.cause,
+                repeats=problem.others,
             )
             return
         message += f", required up to version {problem.until}"
         affects = dict.fromkeys(Consumer, warns("older releases refuse the file"))
-        yield self.diagnostic(target, message, severity=Severity.WARNING, affects=affects)
+        cause = problem.cause
+        yield self.diagnostic(target, message, severity=Severity.WARNING, affects=affects, cause=cause)
 
 
 def is_parameter(element: Element) -> bool:

@@ -154,7 +154,15 @@ class MissingElement(Rule):
         if problem.refused:
             affects, labels = refusals(problem), other_end(problem)
             severity = Severity.WARNING if is_placeholder(problem.element) else None
-            yield self.diagnostic(place, message, severity=severity, fix=fix, affects=affects, labels=labels)
+            yield self.diagnostic(
+                place,
+                message,
+                severity=severity,
+                fix=fix,
+                affects=affects,
+                labels=labels,
+                cause=problem.cause,
+            )
             return
         if problem.default is not None:
             is_one = len(problem.attributes) < 2 and not problem.others
@@ -163,7 +171,7 @@ class MissingElement(Rule):
         if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
         # Moments that the default makes impossible are an error there.
-        cause = place if problem.element.name == "inertia" else None
+        cause = problem.cause or (place if problem.element.name == "inertia" else None)
         yield self.diagnostic(
             place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
         )

@@ -245,10 +245,10 @@ def folded_texts(found: list[object]) -> list[object]:
 def folded_children(found: list[object]) -> list[object]:
     """The problems, with one for all children that an element lacks."""
     result: list[object] = []
-    first: dict[tuple[Element, bool], int] = {}
+    first: dict[tuple[Element, bool, Span | None], int] = {}
     for each in found:
         if isinstance(each, MissingElement) and each.text is None and not each.attributes:
-            at = first.setdefault((each.element, each.refused), len(result))
+            at = first.setdefault((each.element, each.refused, each.cause), len(result))
             if at < len(result):
                 one = result[at]
                 assert isinstance(one, MissingElement)
@@ -283,7 +283,7 @@ def _kind(problem: object) -> Hashable:
         return problem.element.name, problem.parent.name, problem.attribute
     if isinstance(problem, MissingAttribute) and not problem.elements and not problem.element.content:
         element, parent = problem.element, problem.element.parent
-        return element.title, parent and parent.name, problem.attribute, problem.empty
+        return element.title, parent and parent.name, problem.attribute, problem.empty, problem.cause
     return None
 
 

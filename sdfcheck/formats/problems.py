@@ -17,31 +17,25 @@ if TYPE_CHECKING:
 class UnknownAttribute(Record):
     """An attribute that no version knows there.
 
-    ``needed``: the suggestion is required and missing. ``more``: so many others of the element are unknown, of
-    which only some are reported. ``child``: the child that it should be, as the ``others`` should.
+    ``more``: so many others of the element are unknown, of which only some are reported. ``child``: the child that
+    it should be, as the ``others`` should.
     """
 
     element: Element
     attribute: str
     suggestion: str | None
-    needed: bool = False
     more: int = 0
     child: str | None = None
     others: tuple[str, ...] = ()
 
 
 class UnknownElement(Record):
-    """An element that no version knows anywhere.
-
-    ``refused`` where libsdformat refuses the file, for it or for want of what it was meant to be; ``vital`` where
-    it builds another model without that.
-    """
+    """An element that no version knows anywhere; ``refused`` where libsdformat refuses the file for it."""
 
     element: Element
     parent: Element
     suggestion: str | None
     refused: bool = False
-    vital: bool = False
 
 
 class MisplacedElement(Record):
@@ -119,6 +113,7 @@ class MissingElement(Record):
     ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
     all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
     text is a value for the child. ``attributes``: it is written as the first of these, and others as the rest.
+    ``cause``: what was probably meant to be the child.
     """
 
     element: Element
@@ -129,6 +124,7 @@ class MissingElement(Record):
     others: tuple[str, ...] = ()
     fits: bool = False
     attributes: tuple[str, ...] = ()
+    cause: Span | None = None
 
 
 class MissingAttribute(Record):
@@ -136,7 +132,7 @@ class MissingAttribute(Record):
 
     ``until`` is the last version that requires it, where the newest one does not; then
     only consumers of that time refuse the file. ``elements``: it is written as an element, and so are all these.
-    ``others`` are elements of its name without it, in parents of one name.
+    ``others`` are elements of its name without it, in parents of one name. ``cause``: what was probably meant to be it.
     """
 
     element: Element
@@ -145,6 +141,7 @@ class MissingAttribute(Record):
     until: Version | None = None
     elements: tuple[Element, ...] = ()
     others: tuple[Element, ...] = ()
+    cause: Span | None = None
 
 
 class EmptyName(Record):

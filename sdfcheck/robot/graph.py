@@ -3094,15 +3094,13 @@ def unresolved_ends(scope: Scope) -> Unresolved:
 
 
 def lost_names(scope: Scope, unresolved: Collection[str]) -> frozenset[str]:
-    """The unresolved names that belong to what has lost its name, so that they are reported there.
+    """The unresolved names that belong to parts of the scope with the name of another, where that is reported.
 
-    That are parts of the scope without a name, with that of another, or misspelled ones.
+    There are not more of them than such parts, and parts without a name.
     """
-    if not unresolved:
-        return frozenset()
     nameless = len(scope.nameless)
     if len(unresolved) <= nameless:
-        return frozenset(unresolved)
+        return frozenset()
     parts = [child for child in scope.children() if child.name in NODES]
     names = [name for part in parts if (name := part.attributes.get("name", "").strip())]
     doubled = len(names) - len(set(names))

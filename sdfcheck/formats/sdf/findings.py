@@ -137,8 +137,6 @@ _FOUND_ANYWHERE = frozenset(("include",))
 _CLOSED = frozenset(("material/pbr",))
 
 # Without these the rest of the model is another one.
-_VITAL = frozenset(("collision/geometry", "joint/axis", "model/link", "visual/geometry"))
-
 # Not in any version, and yet what Gazebo reads: reported among the names of its generations.
 _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 
@@ -169,14 +167,6 @@ def _cut_short(name: str, parent: Element, place: Definition) -> str | None:
     """The only required child that is not there and begins as a name does: ``name`` for ``n``."""
     absent = [each for each in place.required_children if each.startswith(name) and not parent.has(each)]
     return absent[0] if len(absent) == 1 else None
-
-
-def _is_empty(model: Element, name: str) -> bool:
-    """Has a model that moves nothing without the part of this name that was meant?"""
-    if model.name != "model" or name not in _BODIES or any(map(model.has, (*_BODIES, "include"))):
-        return False
-    static = model.find("static")
-    return static is None or static.content.lower() not in {"true", "1"}
 
 
 class _Misplaced:
@@ -364,18 +354,15 @@ class SdfFindings(Findings):
                 return
             lacking = [each for each in definition.attributes if each not in element.attributes]
             suggestion = suggest(name, lacking)
-            needed = suggestion in definition.required_attributes
             if suggestion is not None:
                 self.misspelled[element, suggestion] = Value(element, name, "").name_span
             meant = _OF_URDF.get((element.name, name), name)
             child = meant if meant in definition.children else None
-            self.found.append(problems.UnknownAttribute(element, name, suggestion, needed, child=child))
+            self.found.append(problems.UnknownAttribute(element, name, suggestion, child=child))
 
     def missing_attribute(self, element: Element, definition: Definition, name: str) -> None:
-        if (element, name) in self.misspelled:
-            return
-        until = history.required_until(definition, name)
-        self.found.append(problems.MissingAttribute(element, name, empty=False, until=until))
+        until, cause = history.required_until(definition, name), self.misspelled.get((element, name))
+        self.found.append(problems.MissingAttribute(element, name, empty=False, until=until, cause=cause))
 
     def attribute_value(
         self, element: Element, definition: Definition, known: AttributeDefinition, text: str
@@ -402,28 +389,16 @@ class SdfFindings(Findings):
         self.found += text_problems(element, definition)
 
     def judge_unknown(self) -> None:
-        """Note the unknown elements; what a misspelled one was meant to be is not missing as well."""
-        lacking = {
-            (parent, name): self.absent(parent, place, name)
-            for parent, place, name in self.missing_children
-            if self.replacement(parent, place, name) is None
-        }
-        taken: dict[tuple[Element, str | None], bool] = {}
-        empty: dict[tuple[Element, str | None], bool] = {}
+        """Note the unknown elements, and what they were meant to be."""
+        taken: dict[tuple[Element, str], bool] = {}
         for problem, place in self.unknown:
-            parent, name = key = problem.parent, problem.suggestion
-            if key not in taken:
-                taken[key] = name is None or (parent.has(name) and place.children[name].single)
-            if taken[key] or name is None:
-                self.found.append(problem)
-                continue
-            self.misspelled[parent, name] = problem.element.span
-            absent = lacking.get((parent, name))
-            if key not in empty:
-                empty[key] = _is_empty(parent, name)
-            refused = problem.refused or empty[key] or (absent is not None and absent.refused)
-            vital = f"{parent.name}/{name}" in _VITAL
-            self.found.append(problem.changed(refused=refused, vital=vital))
+            self.found.append(problem)
+            if (name := problem.suggestion) is not None:
+                key = problem.parent, name
+                if key not in taken:
+                    taken[key] = problem.parent.has(name) and place.children[name].single
+                if not taken[key]:
+                    self.misspelled.setdefault(key, problem.element.span)
 
     def judge_misplaced(self) -> None:
         """Note elements in place of a child that is missing: its older name, or one that holds its numbers.
@@ -447,12 +422,13 @@ class SdfFindings(Findings):
         self.judge_unknown()
         self.judge_misplaced()
         for parent, place, name in self.missing_children:
-            if (parent, name) in self.misspelled or (parent, name) in self.elsewhere:
+            if (parent, name) in self.elsewhere:
                 continue
-            if (custom := self.replacement(parent, place, name)) is not None:
+            cause = self.misspelled.get((parent, name))
+            if cause is None and (custom := self.replacement(parent, place, name)) is not None:
                 self.replaced.setdefault(custom, []).append(name)
             else:
-                self.found.append(self.absent(parent, place, name))
+                self.found.append(self.absent(parent, place, name).changed(cause=cause))
         self.found += [group.problem for groups in self.misplaced.values() for group in groups]
         self.found = _without_strange_sensors(self.found)
         self.found = folded_values(folded_children(folded_attributes(folded_texts(self.found))))

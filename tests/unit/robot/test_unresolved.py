@@ -33,8 +33,8 @@ def links(names: str) -> str:
     [
         (links("a b") + joint("j", "a", "b"), {}, set()),
         (links("a") + joint("j", "a", "x") + joint("k", "y", "x"), {"x": 2, "y": 1}, set()),
-        (links("a") + "<link/>" + joint("j", "a", "x"), {"x": 1}, {"x"}),
-        (links("a") + '<lnik name="x"/>' + joint("j", "a", "x"), {"x": 1}, {"x"}),
+        (links("a") + "<link/>" + joint("j", "a", "x"), {"x": 1}, set()),
+        (links("a") + '<lnik name="x"/>' + joint("j", "a", "x"), {"x": 1}, set()),
         (links("a a") + joint("j", "a", "other"), {"other": 1}, {"other"}),
         (links("arm arm") + joint("j", "arm", "Arm"), {"Arm": 1}, set()),
         (links("a") + joint("j", "x", "x") + joint("k", "y", "world"), {}, set()),
@@ -45,6 +45,24 @@ def test_names_that_reach_nothing(text: str, unresolved: dict[str, int], lost: s
     (model,) = root(text).models
     assert {name: len(ends) for name, ends in model.unresolved.items()} == unresolved
     assert model.lost_names == lost
+
+
+@pytest.mark.parametrize(
+    ("part", "fault"),
+    [
+        ("<link/>", "link"),
+        ('<lnik name="x"/>', "lnik"),
+        ('<link nam="x"/>', "nam"),
+        ('<link name=" "/>', " "),
+        (joint("k", "x", "a"), "x"),
+    ],
+)
+def test_the_fault_of_a_name_that_nothing_has(part: str, fault: str) -> None:
+    (model,) = root(links("a") + part + joint("j", "a", "x")).models
+    place = model.fault_of("x")
+    assert place is not None
+    assert place.text == fault
+    assert model.fault_of("y") is None or fault != "x"
 
 
 def test_names_that_reach_nothing_in_urdf() -> None:
