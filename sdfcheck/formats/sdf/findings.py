@@ -260,6 +260,8 @@ class SdfFindings(Findings):
             # Drake refuses SDFormat for it, whatever it says.
             is_default = not is_sdf and self.is_default(child)
             found = problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default)
+            if suggestion is not None and not parent.has(suggestion):
+                self.misspelled.setdefault((parent, suggestion), child.span)
             if suggestion is not None or not ignored:
                 self.found.append(found.changed(places=likely_parents(known, parent, place)))
                 return
