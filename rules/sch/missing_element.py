@@ -15,6 +15,7 @@ from sdfcheck import (
     Reaction,
     Rule,
     Severity,
+    Span,
     lacking,
     problems,
     refuses,
@@ -129,39 +130,13 @@ class MissingElement(Rule):
     )
 
     def check(self, problem: problems.MissingElement) -> Iterator[Diagnostic]:
-        lacks = " and no ".join(f"`{name}`" for name in (problem.child, *problem.others))
-        message = f"{problem.element.title} has no {lacks}"
-        place, fix = problem.element.span, None
-        if problem.text is not None:
-            place = problem.text
-            message += ", only text"
-            if problem.fits:
-                text = f"<{problem.child}>{place.text}</{problem.child}>"
-                fix = replace(place, text, f"write `{text}`", unsafe=True)
-        elif (
-            problem.attributes and (attribute := problem.element.attribute(problem.attributes[0])) is not None
-        ):
-            place, (first, *others) = attribute.name_span, problem.attributes
-            message += ", which is an element there, not an attribute"
-            if first != problem.child:
-                message = (
-                    f"{problem.element.title} has no `{problem.child}`, an element that is `{first}` in URDF"
-                )
-            elif others:
-                title = problem.element.title
-                message = f"`{first}` and {len(others)} more of {title} are elements, not attributes"
-            fix = as_elements(problem.element, {first: problem.child, **{name: name for name in others}})
+        place, message, fix = described(problem)
+        cause = problem.cause
         if problem.refused:
             affects, labels = refusals(problem), other_end(problem)
             severity = Severity.WARNING if is_placeholder(problem.element) else None
             yield self.diagnostic(
-                place,
-                message,
-                severity=severity,
-                fix=fix,
-                affects=affects,
-                labels=labels,
-                cause=problem.cause,
+                place, message, severity=severity, fix=fix, affects=affects, labels=labels, cause=cause
             )
             return
         if problem.default is not None:
@@ -170,11 +145,33 @@ class MissingElement(Rule):
         affects = dict.fromkeys(Consumer, warns("takes a default"))
         if problem.attributes:
             affects[Consumer.DRAKE] = refuses("refuses unknown attributes")
-        # Moments that the default makes impossible are an error there.
-        cause = problem.cause or (place if problem.element.name == "inertia" else None)
+        if problem.element.name == "inertia":  # moments that the default makes impossible are an error there
+            cause = cause or place
         yield self.diagnostic(
             place, message, severity=Severity.WARNING, affects=affects, fix=fix, cause=cause
         )
+
+
+def described(problem: problems.MissingElement) -> tuple[Span, str, Fix | None]:
+    """Where it is missing, which element has no such child, and the fix that makes one of what is there."""
+    element, child, attributes = problem.element, problem.child, problem.attributes
+    lacks = " and no ".join(f"`{name}`" for name in (child, *problem.others))
+    message = f"{element.title} has no {lacks}"
+    if (place := problem.text) is not None:
+        text = f"<{child}>{place.text}</{child}>"
+        fix = replace(place, text, f"write `{text}`", unsafe=True) if problem.fits else None
+        return place, f"{message}, only text", fix
+    attribute = element.attribute(attributes[0]) if attributes else None
+    if attribute is None:
+        return element.span, message, None
+    first, *others = attributes
+    message += ", which is an element there, not an attribute"
+    if first != child:
+        message = f"{element.title} has no `{child}`, an element that is `{first}` in URDF"
+    elif others:
+        message = f"`{first}` and {len(others)} more of {element.title} are elements, not attributes"
+    fix = as_elements(element, {first: child, **{name: name for name in others}})
+    return attribute.name_span, message, fix
 
 
 def refusals(problem: problems.MissingElement) -> dict[Consumer, Reaction]:

@@ -113,7 +113,7 @@ class MissingElement(Record):
     ``default`` is the value that is taken instead, None where there is none to speak of. ``text`` is
     all that the element holds, ``others`` are more children that it lacks then, and ``fits`` says whether the
     text is a value for the child. ``attributes``: it is written as the first of these, and others as the rest.
-    ``cause``: what was probably meant to be the child.
+    ``cause``: what the child is called instead.
     """
 
     element: Element
@@ -132,7 +132,7 @@ class MissingAttribute(Record):
 
     ``until`` is the last version that requires it, where the newest one does not; then
     only consumers of that time refuse the file. ``elements``: it is written as an element, and so are all these.
-    ``others`` are elements of its name without it, in parents of one name. ``cause``: what was probably meant to be it.
+    ``others`` are elements of its name without it, in parents of one name. ``cause``: what it is called instead.
     """
 
     element: Element

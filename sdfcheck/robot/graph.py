@@ -3182,10 +3182,11 @@ class Scope(Namespace):
 
     @lazy
     def nameless(self) -> tuple[Span, ...]:
-        """The places of parts of it that have no name, or are misspelled, where that is reported."""
+        """The places of parts of it that have no name of their own, or are misspelled, where that is reported."""
         found = [span for name in sorted(NODES) if (span := self.misnamed(name)) is not None]
+        none = {""} if self.is_urdf else {"", WORLD_FRAME}
         for element in self.children():
-            if element.name in NODES and not element.attributes.get("name", "").strip():
+            if element.name in NODES and element.attributes.get("name", "").strip() in none:
                 name, part = element.attribute("name"), self.part(element)
                 found.append(part.misnamed("name") or element.span if name is None else name.span)
         return tuple(found)

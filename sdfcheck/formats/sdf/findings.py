@@ -254,26 +254,31 @@ class SdfFindings(Findings):
         known = history.known_parents(name, self.version)
         suggestion = _unless_known(suggestion, name, known)
         if known and not self.is_of_another_kind(child):
-            if self.is_cut_off(child, parent, known):
-                return
-            ignored = name not in _FOUND_ANYWHERE
-            # Drake refuses SDFormat for it, whatever it says.
-            is_default = not is_sdf and self.is_default(child)
-            found = problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default)
-            if suggestion is not None and not parent.has(suggestion):
-                self.misspelled.setdefault((parent, suggestion), child.span)
-            if suggestion is not None or not ignored:
-                self.found.append(found.changed(places=likely_parents(known, parent, place)))
-                return
-            groups = self.misplaced.setdefault(parent, [])
-            if not any(group.takes(found) for group in groups):
-                groups.append(_Misplaced(found, place))
+            if not self.is_cut_off(child, parent, known):
+                # Drake refuses SDFormat for it, whatever it says.
+                is_default = not is_sdf and self.is_default(child)
+                ignored = name not in _FOUND_ANYWHERE
+                self.misplace(
+                    problems.MisplacedElement(child, parent, known, suggestion, ignored, is_default), place
+                )
         elif f"{place.name}/{name}" not in _NEVER_STANDARD:
             refused = place.path in _CLOSED
             suggestion = (
                 suggestion or with_another_word(name, place.children) or _cut_short(name, parent, place)
             )
             self.unknown.append((problems.UnknownElement(child, parent, suggestion, refused), place))
+
+    def misplace(self, found: problems.MisplacedElement, place: Definition) -> None:
+        """Note an element that is somewhere else in the format; siblings that go into one place together."""
+        parent, meant = found.parent, found.suggestion
+        if meant is not None or not found.ignored:
+            self.found.append(found.changed(places=likely_parents(found.places, parent, place)))
+            if meant is not None and not parent.has(meant):
+                self.misspelled.setdefault((parent, meant), found.element.span)
+            return
+        groups = self.misplaced.setdefault(parent, [])
+        if not any(group.takes(found) for group in groups):
+            groups.append(_Misplaced(found, place))
 
     def is_cut_off(self, child: Element, parent: Element, places: tuple[str, ...]) -> bool:
         """Did the element that it belongs into end too early, with another end tag after it?"""

@@ -51,13 +51,26 @@ def _is_dropped(setting: Definition, block: Element) -> bool:
 
 def misnamed(element: Element, name: str) -> Span | None:
     """The place of the misspelled attribute or child element that means one of this name."""
-    place = definition(element)
-    if place is None:
-        return None
+    known = element.document.view(_misnamed)
+    if element not in known:
+        known[element] = dict(_meant(element))
+    return known[element].get(name)
+
+
+def _misnamed(document: Document) -> dict[Element, dict[str, Span]]:
+    """Element → the names that were meant in it, as far as somebody has asked, each with the place of the last one."""
+    return {}
+
+
+def _meant(element: Element) -> Iterator[tuple[str, Span]]:
+    if (place := definition(element)) is None:
+        return
+    for child in element.children():
+        if (name := meant_child(child, place)) is not None:
+            yield name, child.span
     for key, text in element.attributes.items():
-        if meant_attribute(element, key, place) == name:
-            return Value(element, key, text).name_span
-    return next((child.span for child in element.children() if meant_child(child, place) == name), None)
+        if (name := meant_attribute(element, key, place)) is not None:
+            yield name, Value(element, key, text).name_span
 
 
 def definition(element: Element) -> Definition | None:
