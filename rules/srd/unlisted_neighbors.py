@@ -46,7 +46,8 @@ class UnlistedNeighbors(Rule):
     shapes of two links with a joint between them nearly always touch there, so that every state of the robot is one
     in collision, and no motion can be planned. Its setup assistant lists all neighbors, also those with links without
     collisions between them; one that is missing was added to the robot later, or its link renamed. So do two fingers
-    that overlap where the gripper is closed.
+    that overlap where the gripper is closed, or links that are in each other in a named state: MoveIt refuses it as a
+    start and as a goal.
     """
 
     code = "SRD012"
@@ -110,7 +111,8 @@ class UnlistedNeighbors(Rule):
 
     @staticmethod
     def applies(semantics: Semantics) -> bool:
-        return any(True for _ in semantics.unlisted_neighbors) or any(semantics.unlisted_siblings)
+        found = (semantics.unlisted_neighbors, semantics.unlisted_siblings, semantics.colliding_states)
+        return any(True for each in found for _ in each)
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         *_, last = semantics.adjacent_pairs
@@ -124,3 +126,8 @@ class UnlistedNeighbors(Rule):
                 )
                 message += f"; the same holds for {len(others)} more pairs" if others else ""
                 yield self.diagnostic(last, message)
+        for (value, one, other), *others in filter(None, [list(semantics.colliding_states)]):
+            message = f"links `{one.name}` and `{other.name}` are in each other in state `{value.text.strip()}`"
+            message += ", and their collisions are not disabled"
+            message += f"; so are {len(others)} more pairs in states" if others else ""
+            yield self.diagnostic(value, message)

@@ -19,7 +19,7 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot import solids
-from sdfcheck.robot.motion.origin import UNTURNED, Origin, Triple, numbers_of, origin_in, pose_in
+from sdfcheck.robot.motion.origin import UNTURNED, Origin, Triple, numbers_of, of_quaternion, origin_in, pose_in
 from sdfcheck.robot.naming.name import (
     DEFAULT,
     MODEL_FRAME,
@@ -408,12 +408,13 @@ class Link(Node):
         skin = _skin_of(self, shapes, Origin())
         return skin.filled if skin is not None else None
 
-    def is_in(self, other: Link, share: float) -> bool:
+    def is_in(self, other: Link, share: float, poses: Mapping[Link, Origin] | None = None) -> bool:
         """Is more than that share of the surface of its collisions in those of another one, or the other way around?
 
-        In their robot of URDF at rest.
+        In their robot of URDF, at rest or with these poses.
         """
-        mine, theirs = (_skin_of(link, link.collisions, link.at_rest) for link in (self, other))
+        known = self.model.poses_at_rest if poses is None else poses
+        mine, theirs = (_skin_of(link, link.collisions, known.get(link)) for link in (self, other))
         if mine is None or theirs is None:
             return False
         return mine.share_in(theirs, share) > share or theirs.share_in(mine, share) > share
@@ -1380,8 +1381,8 @@ def _twin_key(joint: Joint) -> tuple[object, ...] | None:
     return (joint.type, link.look) if joint.moves and link is not None and link.look else None
 
 
-def _links_at_rest(model: Model) -> dict[Link, Origin]:
-    """The poses of the links of a robot of URDF in its root, all joints at zero; those that are known."""
+def _links_at(model: Model, places: Mapping[str, float]) -> dict[Link, Origin]:
+    """The poses of the links of a robot of URDF in its root; those that are known. Joints without a place are at zero."""
     tree = model.tree
     found: dict[Link, Origin] = {}
     waiting = [(root, Origin()) for root in tree.roots]
@@ -1392,8 +1393,23 @@ def _links_at_rest(model: Model) -> dict[Link, Origin]:
             child = joint.child_link
             if child is not None and tree.parents[child][0] is joint:
                 with suppress(DescriptionError):
-                    waiting.append((child, pose.followed_by(origin_in(joint.element))))
+                    at = pose.followed_by(origin_in(joint.element))
+                    place = places.get(joint.name, 0.0)
+                    waiting.append((child, at.followed_by(_moved(joint, place)) if place else at))
     return found
+
+
+def _moved(joint: Joint, place: float) -> Origin:
+    """What a place (rad or m) of a joint of URDF with one axis does to its child."""
+    xyz = joint.axis.xyz
+    length = math.hypot(*xyz)
+    if len(xyz) != 3 or not 0 < length < math.inf:
+        return Origin()
+    x, y, z = (number / length for number in xyz)
+    if joint.type == "prismatic":
+        return Origin(position=(x * place, y * place, z * place))
+    sine = math.sin(place / 2)
+    return Origin(of_quaternion(x * sine, y * sine, z * sine, math.cos(place / 2)))
 
 
 def _at_rest_in_sdf(node: Node) -> Origin | None:
@@ -3520,7 +3536,11 @@ class Model(Scope):
     @lazy
     def poses_at_rest(self) -> dict[Link, Origin]:
         """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
-        return _links_at_rest(self)
+        return _links_at(self, {})
+
+    def poses_with(self, places: Mapping[str, float]) -> dict[Link, Origin]:
+        """The same with some joints elsewhere (rad or m)."""
+        return _links_at(self, places)
 
     def gaps(self, least: Mapping[Joint, float]) -> dict[Joint, float]:
         """How far what joints carry is from the rest of the robot of URDF at rest (m); 0 if not more than is given.
