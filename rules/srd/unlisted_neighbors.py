@@ -127,7 +127,9 @@ class UnlistedNeighbors(Rule):
                 message += f"; the same holds for {len(others)} more pairs" if others else ""
                 yield self.diagnostic(last, message)
         for (value, one, other), *others in filter(None, [list(semantics.colliding_states)]):
-            message = f"links `{one.name}` and `{other.name}` are in each other in state `{value.text.strip()}`"
+            message = (
+                f"links `{one.name}` and `{other.name}` are in each other in state `{value.text.strip()}`"
+            )
             message += ", and their collisions are not disabled"
             message += f"; so are {len(others)} more pairs in states" if others else ""
             yield self.diagnostic(value, message)

@@ -19,7 +19,15 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot import solids
-from sdfcheck.robot.motion.origin import UNTURNED, Origin, Triple, numbers_of, of_quaternion, origin_in, pose_in
+from sdfcheck.robot.motion.origin import (
+    UNTURNED,
+    Origin,
+    Triple,
+    numbers_of,
+    of_quaternion,
+    origin_in,
+    pose_in,
+)
 from sdfcheck.robot.naming.name import (
     DEFAULT,
     MODEL_FRAME,
@@ -2090,15 +2098,23 @@ class Plugin(Part):
         return tuple((each, meant) for each, meant in self._meant if not self._is_read_elsewhere(each))
 
     @lazy
-    def outdated_parameters(self) -> tuple[tuple[Element, str], ...]:
-        """The parameters that it had in ROS 1, in a package of ROS 2, with their names there.
+    def outdated_parameters(self) -> tuple[tuple[Element, str | None], ...]:
+        """The parameters that it had in ROS 1, in a package of ROS 2, with their names there; None for topics.
 
-        Without those of 0, which there as well is what it takes where nothing is given.
+        Without those of 0, which there as well is what it takes where nothing is given, and without topics where a
+        remapping gives them.
         """
-        if len(self._possible) == len(self._generations):
+        facts = self.known
+        if len(self._possible) == len(self._generations) or facts is None or not facts.parameters:
             return ()
-        older = ((each, meant) for each, meant in self._meant if self._is_read_elsewhere(each))
-        return tuple((each, meant) for each, meant in older if each.content.strip() not in {"0", "0.0"})
+        older = [(each, meant) for each, meant in self._meant if self._is_read_elsewhere(each)]
+        found = [(each, meant) for each, meant in older if each.content.strip() not in {"0", "0.0"}]
+        named = {each for each, _ in older}
+        topics = [each for each in self.parameters if "topic" in each.name.lower() and each.content.strip()]
+        left = [each for each in topics if each not in named and not facts.reads(each.name)]
+        if any(each.name == "remapping" for part in self.parameters for each in (part, *part.children())):
+            left = []
+        return (*found, *((each, None) for each in left if self._is_read_elsewhere(each)))
 
     def _is_read_elsewhere(self, parameter: Element) -> bool:
         return any(facts.reads(parameter.name) for facts in self._generations)
