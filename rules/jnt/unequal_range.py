@@ -6,6 +6,8 @@ from sdfcheck import Bad, Diagnostic, Good, Joint, Rule, Severity
 
 SHARE = 0.05
 """Of the range: less is how both were measured."""
+ROUNDED = 0.001
+"""The same where all other joints have just the limits of their counterparts: nothing was measured there."""
 SIDE = re.compile(r"(?i)left|right|(?<![a-z])[lr](?![a-z])")
 JOINT = (
     '<link name="{0}_arm"/><joint name="{0}_elbow" type="revolute"><parent link="body"/><child link="{0}_arm"/>'
@@ -17,6 +19,16 @@ MESH = '<link name="{0}_arm"><visual><geometry><mesh filename="http://a.org/{1}/
 def arms(left: tuple[str, str], right: tuple[str, str], tag: str = "limit") -> str:
     """A body with an elbow on each side."""
     text = JOINT.format("left", *left, "limit") + JOINT.format("right", *right, tag)
+    return f'<robot name="r"><link name="body"/>{text}</robot>'
+
+
+def bodies(*uppers: str, mark: str = "limit") -> str:
+    """A body with several joints on each side, those on the right with these upper limits."""
+    text = "".join(
+        JOINT.format(f"left_{number}", "-1", "1", "limit")
+        + JOINT.format(f"right_{number}", "-1", upper, "limit" if upper == "1" else mark)
+        for number, upper in enumerate(uppers)
+    )
     return f'<robot name="r"><link name="body"/>{text}</robot>'
 
 
@@ -43,10 +55,15 @@ class UnequalRange(Rule):
             arms(("-1", "1"), ("-1", "2"), "«limit»"),
             says="joint `right_elbow` moves over a range of 3 rad, and joint `left_elbow` over one of 2 rad",
         ),
+        Bad(
+            bodies("1", "1", "0.98", "1", mark="«limit»"),
+            says="joint `right_2_elbow` moves over a range of 1.98 rad, and joint `left_2_elbow` over one of 2 rad",
+        ),
     )
     good = (
         Good(arms(("-0.5", "1"), ("-1", "0.5")), why="the mirror image"),
         Good(arms(("-1", "1"), ("-1.01", "1.01")), why="measured"),
+        Good(bodies("1", "0.99", "0.98", "1"), why="two were measured"),
         Good(arms(("0", "0"), ("-1", "1")), why="locked-joint speaks of that"),
         Good(
             arms(("-1", "1"), ("-1", "2"))
@@ -64,7 +81,8 @@ class UnequalRange(Rule):
         if is_of_other_make(joint, other):
             return False
         mine, its = width(joint), width(other)
-        return 0 < mine < inf and 0 < its < inf and abs(mine - its) > SHARE * max(mine, its)
+        least = ROUNDED if joint.model is not None and joint.model.lone_pair == (joint, other) else SHARE
+        return 0 < mine < inf and 0 < its < inf and abs(mine - its) > least * max(mine, its)
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         other = joint.mirror

@@ -22,8 +22,7 @@ CAMERA = (
 )
 MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
 BUMPER = (
-    '<link name="a"><collision name="c"><geometry><sphere><radius>1</radius></sphere></geometry></collision>'
-    '<sensor name="touch" type="contact"><contact><collision>c</collision></contact>'
+    '<link name="a"><sensor name="touch" type="contact">'
     '<plugin name="bumper" filename="libgazebo_ros_bumper.so">{}</plugin></sensor></link>'
 )
 MANAGERS = ("gz_ros2_control", "ign_ros2_control")
