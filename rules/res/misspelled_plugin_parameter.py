@@ -22,7 +22,7 @@ CAMERA = (
 )
 MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
 BUMPER = (
-    '<link name="a"><sensor name="touch" type="contact">'
+    '<link name="a"><sensor name="touch" type="contact"><contact><collision>a</collision></contact>'
     '<plugin name="bumper" filename="libgazebo_ros_bumper.so">{}</plugin></sensor></link>'
 )
 MANAGERS = ("gz_ros2_control", "ign_ros2_control")
@@ -95,6 +95,7 @@ class MisspelledPluginParameter(Rule):
             BUMPER.format("<«bumperTopicName»>touch</bumperTopicName>"),
             says="of ROS 2 does not read `bumperTopicName`, as that of ROS 1 does",
             files=ROS_2,
+            also=("RES011",),
         ),
     )
     good = (

@@ -2572,7 +2572,8 @@ def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | 
 
 
 def _driven_model(plugin: Plugin) -> Model | None:
-    scope = plugin.root.scope_of(plugin.element)
+    # What an include brings is not in the file of its root.
+    scope = plugin.holder if isinstance(plugin.holder, Model) else plugin.root.scope_of(plugin.element)
     return scope if isinstance(scope, Model) else None
 
 
@@ -4087,6 +4088,12 @@ def _level(shape: Shape) -> float | None:
 _LEVEL = 0.9999
 
 
+_MOST_LYING = 200
+"""Models of a world; of more than that most are rows of one."""
+_STEEP = 0.7
+"""Of a length, upwards: about 45°."""
+
+
 class World(Scope):
     """A world."""
 
@@ -4115,6 +4122,21 @@ class World(Scope):
             if uri is not None and _GROUND.search(uri.content) and include.find("pose") is None:
                 heights.add(0.0)
         return heights.pop() if len(heights) == 1 else None
+
+    @property
+    def lying(self) -> Iterator[Model]:
+        """The models with a drive that their poses lay on the side, so that the axes of their wheels are upright."""
+        for model in self.models if len(self.models) < _MOST_LYING else ():
+            drive = next((each.drive for each in model.plugins if each.drive is not None), None)
+            try:
+                pose = _at_rest_in_sdf(model) if drive is not None else None
+            except DescriptionError:
+                continue
+            if drive is None or pose is None or abs(pose.rotation[2][2]) > _STEEP:
+                continue
+            x, y, z = drive.left.axis
+            if abs(pose.turned((x, y, z))[2]) > _STEEP:
+                yield model
 
     @property
     def has_unclear_system(self) -> bool:
