@@ -133,15 +133,15 @@ class MisspelledPluginParameter(Rule):
         for parameter, meant in plugin.misspelled_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`"
             yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))
-        for parameter, meant in plugin.outdated_parameters[:1]:
+        for parameter, today in plugin.outdated_parameters[:1]:
             others = [each for each, _ in plugin.outdated_parameters[1:]]
             names = named((each.name for each in (parameter, *others)), "or", most=3)
             yield self.diagnostic(
                 parameter,
                 f"{plugin.title} of ROS 2 does not read {names}, as that of ROS 1 does",
-                meant=meant,
+                meant=today,
                 labels=dict.fromkeys(others, "the same"),
-                help=None if meant else "give its topic another name by a `<remapping>` in `<ros>`",
+                help=None if today else "give its topic another name by a `<remapping>` in `<ros>`",
                 fix=renamed(plugin.outdated_parameters),
             )
         for parameter, other in plugin.foreign_parameters:

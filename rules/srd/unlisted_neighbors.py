@@ -31,6 +31,7 @@ ALL = (
     + OFF.format("disable_collisions", "hand", "left")
     + OFF.format("«disable_collisions»", "hand", "right")
 )
+CLOSED = '<group_state name="«closed»" group="tool"><joint name="left_joint" value="0.06"/></group_state>'
 
 
 def gripper(*, apart: float, lower: float = 0.0) -> dict[str, str]:
@@ -74,6 +75,12 @@ class UnlistedNeighbors(Rule):
             files=gripper(apart=0.06),
             says="links `left` and `right` are in each other with all joints at 0, and their collisions are not",
         ),
+        Bad(
+            ALL.replace("«", "").replace("»", "") + CLOSED,
+            file=FILE,
+            files=gripper(apart=0.12),
+            says="links `left` and `right` are in each other in state `closed`, and their collisions are not disabled",
+        ),
     )
     good = (
         Good(OTHER + OFF.format("disable_collisions", "base", "upper"), file=FILE, files=ROBOT),
@@ -102,6 +109,13 @@ class UnlistedNeighbors(Rule):
             why="the fingers touch",
         ),
         Good(
+            ALL.replace("«", "").replace("»", "")
+            + CLOSED.replace("«", "").replace("»", "").replace("0.06", "0.02"),
+            file=FILE,
+            files=gripper(apart=0.12),
+            why="they touch in this state",
+        ),
+        Good(
             ALL.replace("«", "").replace("»", ""),
             file=FILE,
             files=gripper(apart=0.06, lower=0.05),
@@ -126,10 +140,11 @@ class UnlistedNeighbors(Rule):
                 )
                 message += f"; the same holds for {len(others)} more pairs" if others else ""
                 yield self.diagnostic(last, message)
-        for (value, one, other), *others in filter(None, [list(semantics.colliding_states)]):
+        states = list(semantics.colliding_states)
+        for value, left, right in states[:1]:
             message = (
-                f"links `{one.name}` and `{other.name}` are in each other in state `{value.text.strip()}`"
+                f"links `{left.name}` and `{right.name}` are in each other in state `{value.text.strip()}`"
             )
             message += ", and their collisions are not disabled"
-            message += f"; so are {len(others)} more pairs in states" if others else ""
+            message += f"; so are {len(states) - 1} more pairs in states" if states[1:] else ""
             yield self.diagnostic(value, message)

@@ -4127,7 +4127,8 @@ class World(Scope):
     def lying(self) -> Iterator[Model]:
         """The models with a drive that their poses lay on the side, so that the axes of their wheels are upright."""
         for model in self.models if len(self.models) < _MOST_LYING else ():
-            drive = next((each.drive for each in model.plugins if each.drive is not None), None)
+            plugins = (each for each in model.plugins if isinstance(each, Plugin))
+            drive = next((each.drive for each in plugins if each.drive is not None), None)
             try:
                 pose = _at_rest_in_sdf(model) if drive is not None else None
             except DescriptionError:

@@ -393,8 +393,10 @@ class Semantics:
         for state in islice(self.element.children("group_state"), _MOST_STATES) if pairs else ():
             value, places = state.attribute("name"), self._places_in(state, robot)
             within = [(one, other) for one, other, between in pairs if between and between <= places.keys()]
-            poses = robot.poses_with(places) if value is not None and within else {}
-            for one, other in within if value is not None else ():
+            if value is None or not within:
+                continue
+            poses = robot.poses_with(places)
+            for one, other in within:
                 if _may_touch(one, other, poses) and one.is_in(other, _IN, poses):
                     yield value, one, other
 
