@@ -1397,7 +1397,7 @@ def _twin_key(joint: Joint) -> tuple[object, ...] | None:
 
 
 def _links_at(model: Model, places: Mapping[str, float]) -> dict[Link, Origin]:
-    """The poses of the links of a robot of URDF in its root; those that are known. Joints without a place are at zero."""
+    """The poses of the links of a robot of URDF in its root, as far as known; joints without a place are at zero."""
     tree = model.tree
     found: dict[Link, Origin] = {}
     waiting = [(root, Origin()) for root in tree.roots]
@@ -4127,7 +4127,7 @@ class World(Scope):
     def lying(self) -> Iterator[Model]:
         """The models with a drive that their poses lay on the side, so that the axes of their wheels are upright."""
         for model in self.models if len(self.models) < _MOST_LYING else ():
-            plugins = (each for each in model.plugins if isinstance(each, Plugin))
+            plugins = (each for each in model.plugins if each.kind == "plugin")
             drive = next((each.drive for each in plugins if each.drive is not None), None)
             try:
                 pose = _at_rest_in_sdf(model) if drive is not None else None
