@@ -48,6 +48,8 @@ _CLOSE = 1e-3
 _IN = 0.1
 """Of the surface of a link: so much may be inside of another one where the points are few."""
 _MOST_ON_ONE = 20
+_TOUCH = 0.002
+"""m: fingers that are closed touch, and numbers are rounded."""
 _MOST_STATES, _MOST_MOVED = 20, 60
 """States, and links, that are looked at for collisions."""
 _MOST_SENT = 50
@@ -397,7 +399,7 @@ class Semantics:
                 continue
             poses = robot.poses_with(places)
             for one, other in within:
-                if _may_touch(one, other, poses) and one.is_in(other, _IN, poses):
+                if _is_in(one, other, poses):
                     yield value, one, other
 
     def _places_in(self, state: Element, robot: Model) -> dict[str, float]:
@@ -716,8 +718,8 @@ def _moving_above(robot: Model) -> dict[Link, frozenset[str]]:
     return found
 
 
-def _may_touch(one: Link, other: Link, poses: Mapping[Link, Origin]) -> bool:
-    """Do the balls around the shapes of two links meet?"""
+def _is_in(one: Link, other: Link, poses: Mapping[Link, Origin]) -> bool:
+    """Are two links in each other with these poses, also a little farther apart?"""
     balls = []
     for link in (one, other):
         if link not in poses or (box := link.extent) is None:
@@ -725,7 +727,12 @@ def _may_touch(one: Link, other: Link, poses: Mapping[Link, Origin]) -> bool:
         x, y, z = box.center
         balls.append((poses[link].applied_to((x, y, z)), box.diagonal / 2))
     (here, near), (there, far) = balls
-    return dist(here, there) < near + far
+    apart = dist(here, there)
+    if not 0 < apart < near + far:
+        return False
+    pose = poses[other]
+    x, y, z = (at + _TOUCH * (b - a) / apart for at, a, b in zip(pose.position, here, there, strict=True))
+    return one.is_in(other, _IN, {one: poses[one], other: pose._replace(position=(x, y, z))})
 
 
 def _rests_at_zero(link: Link) -> bool:
