@@ -1367,8 +1367,6 @@ def _link(node: Node | None) -> Link | None:
 
 _DEEPEST = 200
 """Joints above one that are followed."""
-_LEAST_PAIRS = 4
-"""Of joints on both sides: with so many, that all others are alike is no chance."""
 _MOST_TWINS = 50
 """Fingers, legs and wheels of one kind are fewer."""
 _MOST_SKINS = 500
@@ -1384,11 +1382,6 @@ def _at_rest(joint: Joint) -> Origin | None:
     parent = joint.parent_link
     frame = Origin() if parent is None else joint.model.poses_at_rest.get(parent)
     return None if frame is None else frame.followed_by(origin_in(joint.element))
-
-
-def _is_mirror_image(one: tuple[float, float], other: tuple[float, float]) -> bool:
-    """Are the limits of a joint those of its counterpart, or the same with their signs and places exchanged?"""
-    return one == other or one == (-other[1], -other[0])
 
 
 def _twin_key(joint: Joint) -> tuple[object, ...] | None:
@@ -3594,23 +3587,6 @@ class Model(Scope):
     def joints_of_each_side(self) -> dict[str, list[Joint]]:
         """Its joints by their names without sides."""
         return grouped(self.joints, lambda joint: without_sides(joint.name))
-
-    @lazy
-    def lone_pair(self) -> tuple[Joint, Joint] | None:
-        """The one joint whose limits are not those of its counterpart, nor their mirror image, where others are so.
-
-        With its counterpart; None unless there are four pairs or more.
-        """
-        pairs = [
-            (joint, other)
-            for joint in self.joints
-            if joint.type in {"revolute", "prismatic"}
-            and (other := joint.mirror) is not None
-            and other.type == joint.type
-            and other.name < joint.name
-        ]
-        odd = [pair for pair in pairs if not _is_mirror_image(*(joint.axis.limit.range for joint in pair))]
-        return odd[0] if len(odd) == 1 and len(pairs) >= _LEAST_PAIRS else None
 
     @lazy
     def twins(self) -> dict[object, list[Joint]]:
