@@ -1,7 +1,9 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, World
+from sdfcheck import Bad, Diagnostic, Good, Model, Rule, Severity, World
 
+MOST = 200
+"""Includes of a world: of more than that most are rows of one."""
 WHEEL = (
     '<link name="{0}"><pose>0 {1} 0.1 0 0 0</pose></link><joint name="{0}_joint" type="revolute"><parent>l</parent>'
     "<child>{0}</child><axis><xyz>0 1 0</xyz></axis></joint>"
@@ -33,7 +35,8 @@ class LyingVehicle(Rule):
 
     In the specification, roll turns about x, pitch about y, and yaw about z, which points up.
     """
-    looks_at = (World,)
+    looks_at = (Model, World)
+    selects = ("sdf:model", "sdf:world")
     scaffold = "{}"
 
     bad = (
@@ -49,11 +52,20 @@ class LyingVehicle(Rule):
     )
 
     @staticmethod
-    def applies(world: World) -> bool:
-        return next(world.lying, None) is not None
+    def applies(part: Model | World) -> bool:
+        return any(True for _ in lying(part))
 
-    def check(self, world: World) -> Iterator[Diagnostic]:
-        for model in world.lying:
+    def check(self, part: Model | World) -> Iterator[Diagnostic]:
+        for model in lying(part):
             pose = model.pose_element
             message = f"{model.title} starts on its side: the axes of its wheels point up"
             yield self.diagnostic(pose.own_value if pose is not None else model, message)
+
+
+def lying(part: Model | World) -> Iterator[Model]:
+    """The model, or those that a world includes, that start on their side."""
+    if isinstance(part, Model):
+        yield from (part,) if part.is_on_its_side else ()
+        return
+    included = [model for model in part.models if model.include is not None]
+    yield from (model for model in included[:MOST] if model.is_on_its_side)

@@ -1367,6 +1367,8 @@ def _link(node: Node | None) -> Link | None:
 
 _DEEPEST = 200
 """Joints above one that are followed."""
+_STEEP = 0.7
+"""Of a length, upwards: about 45°."""
 _MOST_TWINS = 50
 """Fingers, legs and wheels of one kind are fewer."""
 _MOST_SKINS = 500
@@ -3735,6 +3737,20 @@ class Model(Scope):
         except DescriptionError:
             return None
 
+    @property
+    def is_on_its_side(self) -> bool:
+        """Has it a drive, and does its pose in SDFormat turn the axes of the wheels upwards?"""
+        plugins = (each for each in self.plugins if each.kind == "plugin")
+        drive = next((each.drive for each in plugins if each.drive is not None), None)
+        try:
+            pose = _at_rest_in_sdf(self) if drive is not None and not self.is_urdf else None
+        except DescriptionError:
+            return False
+        if drive is None or pose is None or abs(pose.rotation[2][2]) > _STEEP:
+            return False
+        x, y, z = drive.left.axis
+        return abs(pose.turned((x, y, z))[2]) > _STEEP
+
     # How it hangs together
 
     @lazy
@@ -4064,12 +4080,6 @@ def _level(shape: Shape) -> float | None:
 _LEVEL = 0.9999
 
 
-_MOST_LYING = 200
-"""Models of a world; of more than that most are rows of one."""
-_STEEP = 0.7
-"""Of a length, upwards: about 45°."""
-
-
 class World(Scope):
     """A world."""
 
@@ -4098,22 +4108,6 @@ class World(Scope):
             if uri is not None and _GROUND.search(uri.content) and include.find("pose") is None:
                 heights.add(0.0)
         return heights.pop() if len(heights) == 1 else None
-
-    @property
-    def lying(self) -> Iterator[Model]:
-        """The models with a drive that their poses lay on the side, so that the axes of their wheels are upright."""
-        for model in self.models if len(self.models) < _MOST_LYING else ():
-            plugins = (each for each in model.plugins if each.kind == "plugin")
-            drive = next((each.drive for each in plugins if each.drive is not None), None)
-            try:
-                pose = _at_rest_in_sdf(model) if drive is not None else None
-            except DescriptionError:
-                continue
-            if drive is None or pose is None or abs(pose.rotation[2][2]) > _STEEP:
-                continue
-            x, y, z = drive.left.axis
-            if abs(pose.turned((x, y, z))[2]) > _STEEP:
-                yield model
 
     @property
     def has_unclear_system(self) -> bool:
