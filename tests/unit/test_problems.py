@@ -281,7 +281,6 @@ PAN = (
     '<origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>\n'
 )
 INERTIAL_AT = CART.count("\n") + 4
-TURNED = 'revolute"><limit lower="-0.9" upper="0.9" effort="9" velocity="2"/>'
 CALVES = "".join(
     f'<link name="{side}_calf">{MASS.replace("0.01", "0.002")}\n'
     '<visual><geometry><mesh filename="package://bot/meshes/calf.stl"/></geometry></visual>\n'
@@ -2967,20 +2966,6 @@ PROBLEMS = {
                 .replace("</joint>", '<mimic joint="grip"/></joint>'),
             )
         },
-    ),
-    "one of two wrists turns without end": Problem(
-        "JNT032",
-        robot(
-            f'<link name="stand"/><link name="body">{BODY}</link><joint name="b" type="fixed"><parent link="stand"/>'
-            '<child link="body"/></joint>',
-            "".join(
-                f'<link name="{side}_hand">{MASS}</link>\n<joint name="{side}_wrist" type="{kind}<parent link="body"/>'
-                f'<child link="{side}_hand"/><origin xyz="0 {y} 0"/><axis xyz="0 0 1"/></joint>'
-                for side, y, kind in (("left", 0.2, TURNED), ("right", -0.2, "@@"))
-            ),
-        ),
-        'continuous"><limit effort="9" velocity="2"/>',
-        TURNED,
     ),
     "an endless joint has a velocity and no effort": Problem(
         "URD005",
