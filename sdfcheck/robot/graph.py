@@ -1410,7 +1410,7 @@ def _links_at(model: Model, places: Mapping[str, float]) -> dict[Link, Origin]:
 
 
 def _moved(joint: Joint, place: float) -> Origin:
-    """What a place (rad or m) of a joint of URDF with one axis does to its child."""
+    """How a joint of URDF with one axis moves its child by a place (rad or m)."""
     xyz = joint.axis.xyz
     length = math.hypot(*xyz)
     if len(xyz) != 3 or not 0 < length < math.inf:
@@ -2567,7 +2567,7 @@ def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | 
 
 
 def _driven_model(plugin: Plugin) -> Model | None:
-    # What an include brings is not in the file of its root.
+    # That of an include is not in the file of its root.
     scope = plugin.holder if isinstance(plugin.holder, Model) else plugin.root.scope_of(plugin.element)
     return scope if isinstance(scope, Model) else None
 

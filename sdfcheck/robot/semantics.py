@@ -50,8 +50,8 @@ _IN = 0.1
 _MOST_ON_ONE = 20
 _TOUCH = 0.002
 """m: fingers that are closed touch, and numbers are rounded."""
-_MOST_STATES, _MOST_MOVED = 20, 60
-"""States, and links, that are looked at for collisions."""
+_MOST_STATES, _MOST_MOVED, _MOST_JOINTS, _MOST_COMPARED = 20, 60, 500, 50
+"""States, links, joints, and pairs of surfaces, that are looked at for collisions."""
 _MOST_SENT = 50
 """So many controllers of MoveIt are compared with the groups."""
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
@@ -381,26 +381,37 @@ class Semantics:
 
         The joints between them are all those of the state, or follow them.
         """
+        for value, one, other, poses in islice(self._near_in_states, _MOST_COMPARED):
+            if one.is_in(other, _IN, poses):
+                yield value, one, other
+
+    @property
+    def _near_in_states(self) -> Iterator[tuple[Value, Link, Link, Mapping[Link, Origin]]]:
+        """The names of states, two links whose collisions stay on and that may touch there, and where these are."""
         robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
         solid = [link for link in robot.links if link.collisions] if robot is not None else []
-        if robot is None or any(self._unfound) or len(solid) > _MOST_MOVED:
+        if (
+            robot is None
+            or any(self._unfound)
+            or len(solid) > _MOST_MOVED
+            or len(robot.joints) > _MOST_JOINTS
+        ):
             return
-        told = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_siblings)}
+        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_siblings)}
         above = _moving_above(robot)
         pairs = [
             (one, other, above[one] ^ above[other])
             for one, other in combinations([link for link in solid if link in above], 2)
-            if frozenset((one, other)) not in told and self._is_checked(one, other)
+            if frozenset((one, other)) not in found and self._is_checked(one, other)
         ]
         for state in islice(self.element.children("group_state"), _MOST_STATES) if pairs else ():
             value, places = state.attribute("name"), self._places_in(state, robot)
             within = [(one, other) for one, other, between in pairs if between and between <= places.keys()]
-            if value is None or not within:
-                continue
-            poses = robot.poses_with(places)
+            poses = robot.poses_with(places) if value is not None and within else {}
             for one, other in within:
-                if _is_in(one, other, poses):
-                    yield value, one, other
+                near = _near(one, other, poses)
+                if value is not None and near:
+                    yield value, one, other, near
 
     def _places_in(self, state: Element, robot: Model) -> dict[str, float]:
         """Joint → where it is in a state, those that follow others among them."""
@@ -718,21 +729,21 @@ def _moving_above(robot: Model) -> dict[Link, frozenset[str]]:
     return found
 
 
-def _is_in(one: Link, other: Link, poses: Mapping[Link, Origin]) -> bool:
-    """Are two links in each other with these poses, also a little farther apart?"""
+def _near(one: Link, other: Link, poses: Mapping[Link, Origin]) -> Mapping[Link, Origin]:
+    """The poses of two links, a little farther apart; none where the balls around their shapes do not meet."""
     balls = []
     for link in (one, other):
         if link not in poses or (box := link.extent) is None:
-            return False
+            return {}
         x, y, z = box.center
         balls.append((poses[link].applied_to((x, y, z)), box.diagonal / 2))
     (here, near), (there, far) = balls
     apart = dist(here, there)
     if not 0 < apart < near + far:
-        return False
+        return {}
     pose = poses[other]
     x, y, z = (at + _TOUCH * (b - a) / apart for at, a, b in zip(pose.position, here, there, strict=True))
-    return one.is_in(other, _IN, {one: poses[one], other: pose._replace(position=(x, y, z))})
+    return {one: poses[one], other: pose._replace(position=(x, y, z))}
 
 
 def _rests_at_zero(link: Link) -> bool:
