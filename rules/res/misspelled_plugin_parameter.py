@@ -21,6 +21,10 @@ CAMERA = (
     '</camera><plugin name="camera" filename="libgazebo_ros_camera.so">{}</plugin></sensor></link>'
 )
 MOVE = '<plugin name="move" filename="libgazebo_ros_planar_move.so">{}</plugin>'
+BUMPER = (
+    '<link name="a"><sensor name="touch" type="contact"><contact><collision>a</collision></contact>'
+    '<plugin name="bumper" filename="libgazebo_ros_bumper.so">{}</plugin></sensor></link>'
+)
 MANAGERS = ("gz_ros2_control", "ign_ros2_control")
 OF_NODE = frozenset(("namespace", "remapping"))
 """Settings that a controller manager of the new Gazebo reads within `<ros>` alone."""
@@ -32,8 +36,8 @@ class MisspelledPluginParameter(Rule):
 
     Plugins ask for their parameters by name, and never say what they did not ask for: the default is
     taken. Case counts. In a package of ROS 2, plugins of Gazebo Classic are those of ROS 2, whose
-    parameters have other names than those of ROS 1: `frame_name`, not `frameName`. The `<namespace>` of the controller
-    manager in the new Gazebo is read within `<ros>` alone.
+    parameters have other names than those of ROS 1: `frame_name`, not `frameName`, and whose topics get theirs by a
+    `<remapping>`. The `<namespace>` of the controller manager in the new Gazebo is read within `<ros>` alone.
     """
 
     code = "RES019"
@@ -87,6 +91,12 @@ class MisspelledPluginParameter(Rule):
             says="does not read `odometryFrame`, as that of ROS 1 does",
             files=ROS_2,
         ),
+        Bad(
+            BUMPER.format("<«bumperTopicName»>touch</bumperTopicName>"),
+            says="of ROS 2 does not read `bumperTopicName`, as that of ROS 1 does",
+            files=ROS_2,
+            also=("RES011",),
+        ),
     )
     good = (
         Good(DRIVE.format("<topic>cmd_vel</topic>")),
@@ -96,6 +106,13 @@ class MisspelledPluginParameter(Rule):
         ),
         Good(DRIVE.format("<wheel_separation>1.2</wheel_separation>")),
         Good(CAMERA.format("<frame_name>eye_link</frame_name><focalLength>0</focalLength>"), files=ROS_2),
+        Good(
+            BUMPER.format(
+                "<ros><remapping>bumper_states:=touch</remapping></ros><bumperTopicName>a</bumperTopicName>"
+            ),
+            files=ROS_2,
+            why="the remapping gives the topic its name",
+        ),
         Good(
             CAMERA.format("<frame_name>eye_link</frame_name><Cx>1</Cx><Cy>1</Cy>"),
             why="nobody knows for which ROS",
@@ -116,14 +133,15 @@ class MisspelledPluginParameter(Rule):
         for parameter, meant in plugin.misspelled_parameters:
             message = f"{plugin.title} does not read `{parameter.name}`"
             yield self.diagnostic(parameter, message, meant=meant, fix=rename(meant, parameter))
-        for parameter, meant in plugin.outdated_parameters[:1]:
+        for parameter, today in plugin.outdated_parameters[:1]:
             others = [each for each, _ in plugin.outdated_parameters[1:]]
             names = named((each.name for each in (parameter, *others)), "or", most=3)
             yield self.diagnostic(
                 parameter,
                 f"{plugin.title} of ROS 2 does not read {names}, as that of ROS 1 does",
-                meant=meant,
+                meant=today,
                 labels=dict.fromkeys(others, "the same"),
+                help=None if today else "give its topic another name by a `<remapping>` in `<ros>`",
                 fix=renamed(plugin.outdated_parameters),
             )
         for parameter, other in plugin.foreign_parameters:
@@ -141,8 +159,10 @@ def outside(plugin: Plugin) -> list[Element]:
     return [each for each in plugin.parameters if each.name in OF_NODE]
 
 
-def renamed(parameters: Iterable[tuple[Element, str]]) -> Fix | None:
+def renamed(parameters: Iterable[tuple[Element, str | None]]) -> Fix | None:
     """The fix that gives parameters the names that they have today."""
-    fixes = [fix for parameter, name in parameters if (fix := rename(name, parameter)) is not None]
+    fixes = [fix for parameter, name in parameters if name and (fix := rename(name, parameter)) is not None]
+    if not fixes:
+        return None
     title = fixes[0].title if len(fixes) == 1 else "give them their names in ROS 2"
     return make_fix(title, tuple(edit for fix in fixes for edit in fix.edits), unsafe=True)

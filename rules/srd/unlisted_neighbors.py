@@ -31,6 +31,12 @@ ALL = (
     + OFF.format("disable_collisions", "hand", "left")
     + OFF.format("«disable_collisions»", "hand", "right")
 )
+CLOSED = ALL.replace("«", "").replace("»", "").replace(
+    "/></group>", '/><joint name="right_joint"/></group>'
+) + (
+    '<group_state name="«closed»" group="tool"><joint name="left_joint" value="0.06"/>'
+    '<joint name="right_joint" value="0"/></group_state>'
+)
 
 
 def gripper(*, apart: float, lower: float = 0.0) -> dict[str, str]:
@@ -46,7 +52,8 @@ class UnlistedNeighbors(Rule):
     shapes of two links with a joint between them nearly always touch there, so that every state of the robot is one
     in collision, and no motion can be planned. Its setup assistant lists all neighbors, also those with links without
     collisions between them; one that is missing was added to the robot later, or its link renamed. So do two fingers
-    that overlap where the gripper is closed.
+    that overlap where the gripper is closed, or links that are in each other in a named state: MoveIt refuses it as a
+    start and as a goal.
     """
 
     code = "SRD012"
@@ -72,6 +79,12 @@ class UnlistedNeighbors(Rule):
             file=FILE,
             files=gripper(apart=0.06),
             says="links `left` and `right` are in each other with all joints at 0, and their collisions are not",
+        ),
+        Bad(
+            CLOSED,
+            file=FILE,
+            files=gripper(apart=0.12),
+            says="links `left` and `right` are in each other in state `closed`, and their collisions are not disabled",
         ),
     )
     good = (
@@ -101,6 +114,12 @@ class UnlistedNeighbors(Rule):
             why="the fingers touch",
         ),
         Good(
+            CLOSED.replace("«", "").replace("»", "").replace("0.06", "0.02"),
+            file=FILE,
+            files=gripper(apart=0.12),
+            why="they touch in this state",
+        ),
+        Good(
             ALL.replace("«", "").replace("»", ""),
             file=FILE,
             files=gripper(apart=0.06, lower=0.05),
@@ -110,7 +129,8 @@ class UnlistedNeighbors(Rule):
 
     @staticmethod
     def applies(semantics: Semantics) -> bool:
-        return any(True for _ in semantics.unlisted_neighbors) or any(semantics.unlisted_siblings)
+        found = (semantics.unlisted_neighbors, semantics.unlisted_siblings, semantics.colliding_states)
+        return any(True for each in found for _ in each)
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         *_, last = semantics.adjacent_pairs
@@ -124,3 +144,11 @@ class UnlistedNeighbors(Rule):
                 )
                 message += f"; the same holds for {len(others)} more pairs" if others else ""
                 yield self.diagnostic(last, message)
+        states = list(semantics.colliding_states)
+        for value, left, right in states[:1]:
+            message = (
+                f"links `{left.name}` and `{right.name}` are in each other in state `{value.text.strip()}`"
+            )
+            message += ", and their collisions are not disabled"
+            message += f"; so are {len(states) - 1} more pairs in states" if states[1:] else ""
+            yield self.diagnostic(value, message)

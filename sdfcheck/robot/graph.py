@@ -19,7 +19,15 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.survey import version_of
 from sdfcheck.formats.version import Version
 from sdfcheck.robot import solids
-from sdfcheck.robot.motion.origin import UNTURNED, Origin, Triple, numbers_of, origin_in, pose_in
+from sdfcheck.robot.motion.origin import (
+    UNTURNED,
+    Origin,
+    Triple,
+    numbers_of,
+    of_quaternion,
+    origin_in,
+    pose_in,
+)
 from sdfcheck.robot.naming.name import (
     DEFAULT,
     MODEL_FRAME,
@@ -408,12 +416,13 @@ class Link(Node):
         skin = _skin_of(self, shapes, Origin())
         return skin.filled if skin is not None else None
 
-    def is_in(self, other: Link, share: float) -> bool:
+    def is_in(self, other: Link, share: float, poses: Mapping[Link, Origin] | None = None) -> bool:
         """Is more than that share of the surface of its collisions in those of another one, or the other way around?
 
-        In their robot of URDF at rest.
+        In their robot of URDF, at rest or with these poses.
         """
-        mine, theirs = (_skin_of(link, link.collisions, link.at_rest) for link in (self, other))
+        known = self.model.poses_at_rest if poses is None else poses
+        mine, theirs = (_skin_of(link, link.collisions, known.get(link)) for link in (self, other))
         if mine is None or theirs is None:
             return False
         return mine.share_in(theirs, share) > share or theirs.share_in(mine, share) > share
@@ -1358,6 +1367,8 @@ def _link(node: Node | None) -> Link | None:
 
 _DEEPEST = 200
 """Joints above one that are followed."""
+_STEEP = 0.7
+"""Of a length, upwards: about 45°."""
 _MOST_TWINS = 50
 """Fingers, legs and wheels of one kind are fewer."""
 _MOST_SKINS = 500
@@ -1380,8 +1391,8 @@ def _twin_key(joint: Joint) -> tuple[object, ...] | None:
     return (joint.type, link.look) if joint.moves and link is not None and link.look else None
 
 
-def _links_at_rest(model: Model) -> dict[Link, Origin]:
-    """The poses of the links of a robot of URDF in its root, all joints at zero; those that are known."""
+def _links_at(model: Model, places: Mapping[str, float]) -> dict[Link, Origin]:
+    """The poses of the links of a robot of URDF in its root, as far as known; joints without a place are at zero."""
     tree = model.tree
     found: dict[Link, Origin] = {}
     waiting = [(root, Origin()) for root in tree.roots]
@@ -1392,8 +1403,23 @@ def _links_at_rest(model: Model) -> dict[Link, Origin]:
             child = joint.child_link
             if child is not None and tree.parents[child][0] is joint:
                 with suppress(DescriptionError):
-                    waiting.append((child, pose.followed_by(origin_in(joint.element))))
+                    at = pose.followed_by(origin_in(joint.element))
+                    place = places.get(joint.name, 0.0)
+                    waiting.append((child, at.followed_by(_moved(joint, place)) if place else at))
     return found
+
+
+def _moved(joint: Joint, place: float) -> Origin:
+    """How a joint of URDF with one axis moves its child by a place (rad or m)."""
+    xyz = joint.axis.xyz
+    length = math.hypot(*xyz)
+    if len(xyz) != 3 or not 0 < length < math.inf:
+        return Origin()
+    x, y, z = (number / length for number in xyz)
+    if joint.type == "prismatic":
+        return Origin(position=(x * place, y * place, z * place))
+    sine = math.sin(place / 2)
+    return Origin(of_quaternion(x * sine, y * sine, z * sine, math.cos(place / 2)))
 
 
 def _at_rest_in_sdf(node: Node) -> Origin | None:
@@ -2070,15 +2096,23 @@ class Plugin(Part):
         return tuple((each, meant) for each, meant in self._meant if not self._is_read_elsewhere(each))
 
     @lazy
-    def outdated_parameters(self) -> tuple[tuple[Element, str], ...]:
-        """The parameters that it had in ROS 1, in a package of ROS 2, with their names there.
+    def outdated_parameters(self) -> tuple[tuple[Element, str | None], ...]:
+        """The parameters that it had in ROS 1, in a package of ROS 2, with their names there; None for topics.
 
-        Without those of 0, which there as well is what it takes where nothing is given.
+        Without those of 0, which there as well is what it takes where nothing is given, and without topics where a
+        remapping gives them.
         """
-        if len(self._possible) == len(self._generations):
+        facts = self.known
+        if len(self._possible) == len(self._generations) or facts is None or not facts.parameters:
             return ()
-        older = ((each, meant) for each, meant in self._meant if self._is_read_elsewhere(each))
-        return tuple((each, meant) for each, meant in older if each.content.strip() not in {"0", "0.0"})
+        older = [(each, meant) for each, meant in self._meant if self._is_read_elsewhere(each)]
+        found = [(each, meant) for each, meant in older if each.content.strip() not in {"0", "0.0"}]
+        named = {each for each, _ in older}
+        topics = [each for each in self.parameters if "topic" in each.name.lower() and each.content.strip()]
+        left = [each for each in topics if each not in named and not facts.reads(each.name)]
+        if any(each.name == "remapping" for part in self.parameters for each in (part, *part.children())):
+            left = []
+        return (*found, *((each, None) for each in left if self._is_read_elsewhere(each)))
 
     def _is_read_elsewhere(self, parameter: Element) -> bool:
         return any(facts.reads(parameter.name) for facts in self._generations)
@@ -2529,7 +2563,8 @@ def _only(given: dict[str, list[Element]], names: tuple[str, ...]) -> Element | 
 
 
 def _driven_model(plugin: Plugin) -> Model | None:
-    scope = plugin.root.scope_of(plugin.element)
+    # That of an include is not in the file of its root.
+    scope = plugin.holder if isinstance(plugin.holder, Model) else plugin.root.scope_of(plugin.element)
     return scope if isinstance(scope, Model) else None
 
 
@@ -3534,7 +3569,11 @@ class Model(Scope):
     @lazy
     def poses_at_rest(self) -> dict[Link, Origin]:
         """The poses of the links of a robot of URDF in its root, all joints at zero, in plain numbers."""
-        return _links_at_rest(self)
+        return _links_at(self, {})
+
+    def poses_with(self, places: Mapping[str, float]) -> dict[Link, Origin]:
+        """The same with some joints elsewhere (rad or m)."""
+        return _links_at(self, places)
 
     def gaps(self, least: Mapping[Joint, float]) -> dict[Joint, float]:
         """How far what joints carry is from the rest of the robot of URDF at rest (m); 0 if not more than is given.
@@ -3711,6 +3750,20 @@ class Model(Scope):
             return _lowest(self)
         except DescriptionError:
             return None
+
+    @property
+    def is_on_its_side(self) -> bool:
+        """Has it a drive, and does its pose in SDFormat turn the axes of the wheels upwards?"""
+        plugins = (each for each in self.plugins if each.kind == "plugin")
+        drive = next((each.drive for each in plugins if each.drive is not None), None)
+        try:
+            pose = _at_rest_in_sdf(self) if drive is not None and not self.is_urdf else None
+        except DescriptionError:
+            return False
+        if drive is None or pose is None or abs(pose.rotation[2][2]) > _STEEP:
+            return False
+        x, y, z = drive.left.axis
+        return abs(pose.turned((x, y, z))[2]) > _STEEP
 
     # How it hangs together
 

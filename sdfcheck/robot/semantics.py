@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from itertools import chain, combinations
-from math import inf
+from itertools import chain, combinations, islice
+from math import dist, inf
 from operator import itemgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,6 +29,7 @@ from sdfcheck.xacro.language import may_become
 if TYPE_CHECKING:
     from sdfcheck.robot.controllers import Mistyped, MoveItFiles
     from sdfcheck.robot.graph import Joint, Link, Model
+    from sdfcheck.robot.motion.origin import Origin
     from sdfcheck.source.document import Element, Value
     from sdfcheck.source.text import Span
 
@@ -47,6 +48,10 @@ _CLOSE = 1e-3
 _IN = 0.1
 """Of the surface of a link: so much may be inside of another one where the points are few."""
 _MOST_ON_ONE = 20
+_TOUCH = 0.002
+"""m: fingers that are closed touch, and numbers are rounded."""
+_MOST_STATES, _MOST_MOVED, _MOST_JOINTS, _MOST_COMPARED = 20, 60, 500, 50
+"""States, links, joints, and pairs of surfaces, that are looked at for collisions."""
 _MOST_SENT = 50
 """So many controllers of MoveIt are compared with the groups."""
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
@@ -370,6 +375,57 @@ class Semantics:
                 if self._is_checked(one, other) and not one.distance_to(other) and one.is_in(other, _IN):
                     yield one, other
 
+    @property
+    def colliding_states(self) -> Iterator[tuple[Value, Link, Link]]:
+        """The names of states in which two links are in each other whose collisions stay on, and these.
+
+        The joints between them are all those of the state, or follow them.
+        """
+        for value, one, other, poses in islice(self._near_in_states, _MOST_COMPARED):
+            if one.is_in(other, _IN, poses):
+                yield value, one, other
+
+    @property
+    def _near_in_states(self) -> Iterator[tuple[Value, Link, Link, Mapping[Link, Origin]]]:
+        """The names of states, two links whose collisions stay on and that may touch there, and where these are."""
+        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
+        solid = [link for link in robot.links if link.collisions] if robot is not None else []
+        if (
+            robot is None
+            or any(self._unfound)
+            or len(solid) > _MOST_MOVED
+            or len(robot.joints) > _MOST_JOINTS
+        ):
+            return
+        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_siblings)}
+        above = _moving_above(robot)
+        pairs = [
+            (one, other, above[one] ^ above[other])
+            for one, other in combinations([link for link in solid if link in above], 2)
+            if frozenset((one, other)) not in found and self._is_checked(one, other)
+        ]
+        for state in islice(self.element.children("group_state"), _MOST_STATES) if pairs else ():
+            value, places = state.attribute("name"), self._places_in(state, robot)
+            within = [(one, other) for one, other, between in pairs if between and between <= places.keys()]
+            poses = robot.poses_with(places) if value is not None and within else {}
+            for one, other in within:
+                near = _near(one, other, poses)
+                if value is not None and near:
+                    yield value, one, other, near
+
+    def _places_in(self, state: Element, robot: Model) -> dict[str, float]:
+        """Joint → where it is in a state, those that follow others among them."""
+        places = {
+            each.attributes.get("name", "").strip(): value.number
+            for each in state.children("joint")
+            if (value := each.attribute("value")) is not None and _is_number(value.text)
+        }
+        for joint in robot.joints:
+            mimic = joint.axis.mimic if joint.axis_count == 1 else None
+            if mimic is not None and mimic.leader_name in places:
+                places[joint.name] = mimic.multiplier.number * places[mimic.leader_name] + mimic.offset.number
+        return places
+
     @lazy
     def _pairs_off(self) -> set[frozenset[str]]:
         return {
@@ -656,6 +712,38 @@ def _solid_above(link: Link, known: dict[str, Link | None]) -> Link | None:
     found = known[above.name] if above is not None and not above.collisions else above
     known.update(dict.fromkeys(passed, found))
     return found if found is not link else None
+
+
+def _moving_above(robot: Model) -> dict[Link, frozenset[str]]:
+    """Link → the names of the joints above it that are not fixed."""
+    tree = robot.tree
+    found: dict[Link, frozenset[str]] = {}
+    waiting = [(root, frozenset[str]()) for root in tree.roots]
+    while waiting:
+        link, names = waiting.pop()
+        found[link] = names
+        for joint in tree.children.get(link, ()):
+            child = joint.child_link
+            if child is not None and tree.parents[child][0] is joint:
+                waiting.append((child, names if joint.is_fixed else names | {joint.name}))
+    return found
+
+
+def _near(one: Link, other: Link, poses: Mapping[Link, Origin]) -> Mapping[Link, Origin]:
+    """The poses of two links, a little farther apart; none where the balls around their shapes do not meet."""
+    balls = []
+    for link in (one, other):
+        if link not in poses or (box := link.extent) is None:
+            return {}
+        x, y, z = box.center
+        balls.append((poses[link].applied_to((x, y, z)), box.diagonal / 2))
+    (here, near), (there, far) = balls
+    apart = dist(here, there)
+    if not 0 < apart < near + far:
+        return {}
+    pose = poses[other]
+    x, y, z = (at + _TOUCH * (b - a) / apart for at, a, b in zip(pose.position, here, there, strict=True))
+    return {one: poses[one], other: pose._replace(position=(x, y, z))}
 
 
 def _rests_at_zero(link: Link) -> bool:

@@ -2819,6 +2819,231 @@ PROBLEMS = {
         "",
         1,
     ),
+    # Of joints that differ from all others, grippers, and worlds
+    "a camera is moved, and its collision is not": Problem(
+        "GEO003",
+        robot(
+            CART,
+            '<link name="eye"><visual><origin xyz="-0.2 0 0.1"/><geometry>'
+            '<mesh filename="eye.stl" scale="0.3 0.3 0.3"/>'
+            '</geometry></visual>\n<collision><origin xyz="@@"/><geometry>'
+            '<mesh filename="eye.stl" scale="0.3 0.3 0.3"/>'
+            "</geometry></collision></link>"
+            '<joint name="on" type="fixed"><parent link="body"/><child link="eye"/></joint>',
+        ),
+        "0 0 0.2",
+        "-0.2 0 0.1",
+        files={"eye.stl": cube()},
+    ),
+    "soft limits belong to another joint": Problem(
+        "JNT037",
+        robot(
+            ARM,
+            "".join(
+                f'<link name="s{number}">{MASS}</link><joint name="j{number}" type="revolute"><parent link="upper"/>'
+                f'<child link="s{number}"/><axis xyz="0 0 1"/>'
+                '<limit lower="-2.97" upper="2.97" effort="9" velocity="2"/>\n'
+                f'<safety_controller soft_lower_limit="-{soft}" soft_upper_limit="{soft}" k_velocity="2"/></joint>'
+                for number, soft in enumerate(("2.93", "2.93", "@@", "2.93"))
+            ),
+        ),
+        "2.06",
+        "2.93",
+    ),
+    "one of two arms bends less by a typo": Problem(
+        "JNT034",
+        robot(
+            f'<link name="stand"/><link name="body">{BODY}</link><joint name="b" type="fixed"><parent link="stand"/>'
+            '<child link="body"/></joint>',
+            "".join(
+                f'<link name="{side}_arm">{MASS}</link><joint name="{side}_elbow" type="revolute"><parent link="body"/>'
+                f'<child link="{side}_arm"/><origin xyz="0 {y} 0"/><axis xyz="0 1 0"/>\n'
+                f'<limit lower="{lower}" upper="1.4" effort="9" velocity="2"/></joint>'
+                for side, y, lower in (("left", 0.2, "-2.016"), ("right", -0.2, "@@"))
+            ),
+        ),
+        "-1.981",
+        "-2.016",
+    ),
+    "a color does not reach a visual that has a name": Problem(
+        "GAZ004",
+        robot(
+            CART.replace("<visual>", "<visual@@>", 1),
+            '<gazebo reference="body">\n<material>Gazebo/Black</material></gazebo>',
+        ),
+        ' name="look"',
+        "",
+        CART.count("\n"),
+    ),
+    "a plugin of a multicopter names a link without its prefix": Problem(
+        "RES014",
+        model(
+            f'<link name="fly/base">{SDF_BODY}</link>\n<plugin name="base" '
+            'filename="librotors_gazebo_multirotor_base_plugin.so"><robotNamespace>fly</robotNamespace>\n'
+            "<linkName>@@</linkName></plugin>"
+        ),
+        "base",
+        "fly/base",
+        suffix=".sdf",
+    ),
+    "a macro does not hand on what it hangs on": Problem(
+        "XAC009",
+        robot(
+            '<xacro:macro name="arm" params="at:=\'\'"><xacro:if value="${at != \'\'}"><joint name="on" type="fixed">'
+            '<parent link="${at}"/><child link="arm"/></joint></xacro:if>\n',
+            '<link name="arm"/><link name="tip"/>'
+            '<joint name="end" type="fixed"><parent link="arm"/><child link="tip"/>'
+            "</joint></xacro:macro>\n",
+            '<xacro:macro name="whole" params="at"><xacro:arm@@/></xacro:macro>\n',
+            '<link name="table"/><xacro:whole at="table"/>',
+            more=f' name="bot"{XACRO}',
+        ),
+        "",
+        ' at="${at}"',
+        0,
+        ".urdf.xacro",
+    ),
+    "parentheses are around a property": in_xacro(
+        '<xacro:property name="space" value="a"/><link name="x"/>\n<gazebo><plugin name="p" '
+        'filename="libgazebo_ros_control.so"><robotNamespace>@@</robotNamespace></plugin></gazebo>',
+        "($space)",
+        "${space}",
+        "XAC010",
+    ),
+    "a property is defined for one arrangement alone": in_xacro(
+        '<xacro:arg name="kind" default="alone"/><link name="world"/><link name="body"/>\n<xacro:if '
+        'value="${\'$(arg kind)\' == \'@@\'}"><xacro:property name="base" value="world"/></xacro:if>\n'
+        '<joint name="j" type="fixed"><child link="body"/>\n<parent link="${base}"/></joint>',
+        "placed",
+        "alone",
+        "XAC004",
+    )._replace(below=2),
+    "two fingers are in each other in a state": Problem(
+        "SRD012",
+        '<robot name="bot">\n<group name="tool"><joint name="one_joint"/><joint name="two_joint"/></group>\n'
+        '<group_state name="closed" group="tool"><joint name="one_joint" value="@@"/>'
+        '<joint name="two_joint" value="0"/></group_state>\n'
+        + "".join(
+            f'<disable_collisions link1="{one}" link2="{two}" reason="Adjacent"/>\n'
+            for one, two in (("base", "upper"), ("upper", "one"), ("upper", "two"))
+        )
+        + '<disable_collisions link1="base" link2="one" reason="Never"/>'
+        '<disable_collisions link1="base" link2="two" reason="Never"/></robot>',
+        "0.03",
+        "0.01",
+        0,
+        ".srdf",
+        {
+            "bot.urdf": robot(
+                ARM,
+                "".join(
+                    f'<link name="{name}">{MASS}<collision>'
+                    '<geometry><box size="0.02 0.03 0.06"/></geometry></collision>'
+                    f'</link><joint name="{name}_joint" type="prismatic"><parent link="upper"/><child link="{name}"/>'
+                    f'<origin xyz="0 {y} 0.43"/><axis xyz="0 1 0"/>'
+                    '<limit lower="0" upper="0.04" effort="5" velocity="1"/></joint>\n'
+                    for name, y in (("one", -0.04), ("two", 0.01))
+                ),
+            ),
+            "package.xml": "<package><name>bot</name></package>",
+        },
+    ),
+    "a state leaves the finger that follows at 0": Problem(
+        "SRD010",
+        '<robot name="bot">\n<group name="tool"><joint name="grip"/><joint name="thumb_joint"/></group>\n'
+        '<group_state name="open" group="tool"><joint name="grip" value="0.03"/>\n'
+        '<joint name="thumb_joint" value="@@"/></group_state></robot>',
+        "0",
+        "0.03",
+        0,
+        ".srdf",
+        {
+            "bot.urdf": robot(
+                ARM,
+                FINGER,
+                FINGER.replace('"finger"', '"thumb"')
+                .replace('"grip"', '"thumb_joint"')
+                .replace("</joint>", '<mimic joint="grip"/></joint>'),
+            )
+        },
+    ),
+    "an endless joint has a velocity and no effort": Problem(
+        "URD005",
+        robot(
+            ARM,
+            f'<link name="eye">{MASS}</link><joint name="pan" type="continuous"><parent link="upper"/>'
+            '<child link="eye"/><axis xyz="0 0 1"/>\n<limit @@velocity="3"/></joint>',
+        ),
+        "",
+        'effort="2" ',
+    ),
+    "moments are written row by row": Problem(
+        "INR002",
+        robot(
+            '<link name="stand"/><joint name="b" type="fixed"><parent link="stand"/><child link="body"/></joint>'
+            '<link name="body"><inertial><mass value="20"/>\n'
+            '<inertia ixx="0.66" ixy="-0.02" ixz="0" @@/></inertial></link>'
+        ),
+        'iyy="-0.02" iyz="0.66" izz="0"',
+        'iyy="0.66" iyz="0" izz="0.9"',
+    ),
+    "a moment of a propeller lacks the minus of its exponent": Problem(
+        "INR003",
+        model(
+            '<link name="rotor"><inertial><mass>0.016</mass><inertia>\n<ixx>3.8e@@7</ixx><iyy>2.612e-05</iyy>'
+            "<izz>2.645e-05</izz></inertia></inertial></link>"
+        ),
+        "",
+        "-0",
+        suffix=".sdf",
+    ),
+    "a car is rolled instead of turned": Problem(
+        "GEO027",
+        world(
+            SYSTEMS,
+            GROUND,
+            f'<model name="car">\n<pose>2 3 0.5 @@</pose><link name="hull">{SDF_BODY}</link>',
+            *(
+                f'<link name="{side}"><pose>0 {y} 0 -1.5708 0 0</pose>{SDF_MASS}<collision name="c">'
+                "<geometry><cylinder>"
+                "<radius>0.1</radius><length>0.04</length></cylinder></geometry></collision></link>"
+                f'<joint name="{side}_joint" type="revolute"><parent>hull</parent><child>{side}</child><axis>'
+                '<xyz expressed_in="__model__">0 1 0</xyz></axis></joint>'
+                for side, y in (("left", 0.2), ("right", -0.2))
+            ),
+            '<plugin filename="gz-sim-diff-drive-system" name="gz::sim::systems::DiffDrive"><left_joint>left_joint'
+            "</left_joint><right_joint>right_joint</right_joint><wheel_separation>0.4</wheel_separation>"
+            "<wheel_radius>0.1</wheel_radius></plugin></model>",
+        ),
+        "1.57 0 0",
+        "0 0 1.57",
+        suffix=".sdf",
+    ),
+    "the frame of a camera begins with a slash": Problem(
+        "GAZ012",
+        robot(
+            CART,
+            OPTICAL,
+            '<gazebo reference="body"><sensor name="eye" type="depth"><camera/><plugin name="eye" '
+            'filename="libgazebo_ros_openni_kinect.so">\n<frameName>@@eye_optical</frameName></plugin></sensor></gazebo>',
+        ),
+        "/",
+        "",
+    ),
+    "a bumper of ROS 2 has the topic of ROS 1": Problem(
+        "RES019",
+        robot(
+            ARM,
+            '<gazebo reference="upper"><sensor name="touch" type="contact"><contact>'
+            "<collision>upper_collision</collision></contact>"
+            '<plugin name="touch" filename="libgazebo_ros_bumper.so">\n@@</plugin></sensor></gazebo>',
+        ),
+        "<bumperTopicName>touch</bumperTopicName>",
+        "<ros><remapping>bumper_states:=touch</remapping></ros>",
+        files={
+            "package.xml": "<package><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
+        },
+    ),
 }
 
 
