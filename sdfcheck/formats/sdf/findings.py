@@ -353,13 +353,14 @@ class SdfFindings(Findings):
 
     def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
         old = history.last_version(definition, "@" + name)
-        if old is not None and not history.carried_over(definition, "@" + name, self.version):
+        if history.carried_over(definition, "@" + name, self.version):
+            if old is None:
+                self.too_new(element, definition, name, history.since(definition, "@" + name))
+        elif old is not None:
             successor = history.successor(definition, "@" + name)
             parent = element.parent if element.parent is not None else element
             self.found.append(problems.RemovedElement(element, parent, name, old, successor))
-        elif old is None:
-            if self.is_one_too_many(element):
-                return
+        elif not self.is_one_too_many(element):
             lacking = [each for each in definition.attributes if each not in element.attributes]
             suggestion = suggest(name, lacking)
             needed = suggestion in definition.required_attributes
