@@ -392,6 +392,17 @@ def test_repeated_names_in_an_unknown_element(tmp_path: Path, capsys: pytest.Cap
     assert "its checker refuses the file for a repeated name" in capsys.readouterr().out
 
 
+def test_a_name_of_another_kind_hides_no_repeated_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shapes = [f'<{kind} name="v"><geometry><empty/></geometry></{kind}>' for kind in ("visual", "collision")]
+    file = tmp_path / "arm.sdf"
+    content = "".join((*shapes, shapes[1]))
+    file.write_text(f'<sdf version="1.9"><model name="m"><link name="a">{content}</link></model></sdf>')
+    main(["targets", str(file), "--isolated", "--target", "drake"])
+    assert "there is another collision `v` in link `a`" in capsys.readouterr().out
+
+
 def test_materials_alone_are_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "colors.urdf").write_text(
         '<robot name="colors"><material name="gray"><color rgba="0.5 0.5 0.5 1"/></material></robot>'
