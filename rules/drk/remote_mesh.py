@@ -44,7 +44,6 @@ class RemoteMesh(Rule):
             files={"arm.obj": OBJ},
             says="`file:` takes an absolute path behind three slashes: Drake refuses the file",
         ),
-        Bad(MESH.format("«file://media/models/sea.obj»"), says="`file:` takes an absolute path"),
         Bad(
             MESH.format("«arm/arm.obj»"),
             files={"models/arm/arm.obj": OBJ},
@@ -83,11 +82,10 @@ class RemoteMesh(Rule):
 
 
 def is_on_host(resource: Include | Resource) -> bool:
-    """Is it a file that is there, or that Gazebo has, by a `file:` that is followed by less than three slashes?"""
+    """Is it a file that is there, by a `file:` that is followed by less than three slashes?"""
     if not resource.uri.startswith("file:") or resource.uri.startswith("file:///"):
         return False
-    is_there = resource.location is not None and resource.location.path is not None
-    return is_there or resource.uri.startswith("file://media/")
+    return resource.location is not None and resource.location.path is not None
 
 
 def is_elsewhere(resource: Resource) -> bool:
