@@ -26,9 +26,9 @@ class UnresolvedInclude(Rule):
 
     libsdformat refuses the document. A file of another computer is a warning: a `model://`, or a bare name,
     that no folder near by nor any on the search path has (set `model-paths` in the configuration), a path from
-    the root of the file system, and one into `install`, which a build makes where Gazebo is started. So is a folder without content, as that of a submodule that is not checked out.
-    Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
-    is ever fetched. A folder needs a `model.config` that says which of its files is the model.
+    the root of the file system, and one into `install`, which a build makes where Gazebo is started. So is a folder
+    without content, as that of a submodule that is not checked out. Models on the network, such as those of Gazebo
+    Fuel, are pointed out only; nothing is ever fetched. A folder needs a `model.config` that says which of its files is the model.
     """
 
     code = "RES002"

@@ -457,7 +457,8 @@ class SdfFindings(Findings):
         self.found = folded_values(folded_attributes(folded_texts(self.found)))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
-        for (_, attribute, since), uses in self.uses_too_new.items():
+        is_known = declaration is not None and Version.parse(declaration.text) is not None
+        for (_, attribute, since), uses in self.uses_too_new.items() if is_known else ():
             assert declaration is not None, "without one nothing is too new"
             if attribute:
                 self.found.append(
