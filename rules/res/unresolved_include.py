@@ -28,7 +28,8 @@ class UnresolvedInclude(Rule):
     that no folder near by nor any on the search path has (set `model-paths` in the configuration), a path from
     the root of the file system, and one into `install`, which a build makes where Gazebo is started. So is a folder
     without content, as that of a submodule that is not checked out. Models on the network, such as those of Gazebo
-    Fuel, are pointed out only; nothing is ever fetched. A folder needs a `model.config` that says which of its files is the model.
+    Fuel, are pointed out only; nothing is ever fetched. A folder needs a `model.config` that says which of its files
+    is the model.
     """
 
     code = "RES002"

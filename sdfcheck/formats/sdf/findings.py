@@ -356,6 +356,8 @@ class SdfFindings(Findings):
         if history.carried_over(definition, "@" + name, self.version):
             if old is None:
                 self.too_new(element, definition, name, history.since(definition, "@" + name))
+        elif (element.name, name) == ("pose", "frame") and self.version < _SEVEN:
+            return  # it is converted in every pose, also in those of includes, which never had it
         elif old is not None:
             successor = history.successor(definition, "@" + name)
             parent = element.parent if element.parent is not None else element
