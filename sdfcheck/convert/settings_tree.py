@@ -321,9 +321,9 @@ def custom_entry(element: Element, kind: Kind) -> Entry:
     tag = tag_of(element.document, element.name, kind.value)
     if tag is not None:
         return _tag_entry(element, tag, kind)
-    # With the prefix, so that it is not taken for a setting of its name that both dialects know.
-    own = element.name if ":" in element.name else f"{_KEPT}{element.name}"
-    made = Entry(own, " ".join(element.content.split()), element)
+    own = element.name.removeprefix(_KEPT)
+    # One that SDFormat has as well, made of something else, is another one.
+    made = Entry(f"{_KEPT}{own}" if own in COUNTED else own, " ".join(element.content.split()), element)
     for name, text in element.attributes.items():
         if name.removeprefix(_KEPT) == "name":
             made.own = text
