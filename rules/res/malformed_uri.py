@@ -55,13 +55,6 @@ class MalformedUri(Rule):
             says="needs exactly two slashes after it",
         ),
         Bad(
-            URDF_MESH.format("«package:///meshes/arm.obj»"),
-            fixed=URDF_MESH.format("meshes/arm.obj"),
-            scaffold=IN_URDF_LINK,
-            files={"meshes/arm.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
-            says="did you mean `meshes/arm.obj`?",
-        ),
-        Bad(
             MESH.format("«model:\\\\arm\\arm.dae»"),
             fixed=MESH.format("model://arm/arm.dae"),
             says="backslashes",
@@ -100,6 +93,13 @@ class MalformedUri(Rule):
             file="urdf/arm.urdf.xacro",
             files={"package.xml": "<package><name>arm</name></package>"},
             says="`package:` takes a name, and an absolute path follows: `file:` takes one",
+        ),
+        Bad(
+            URDF_MESH.format("«package:///meshes/arm.obj»"),
+            fixed=URDF_MESH.format("meshes/arm.obj"),
+            scaffold=IN_URDF_LINK,
+            files={"meshes/arm.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+            says="did you mean `meshes/arm.obj`?",
         ),
     )
     good = (
