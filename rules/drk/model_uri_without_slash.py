@@ -5,7 +5,6 @@ from sdfcheck import IN_WORLD, Bad, Diagnostic, Good, Include, Rule, Severity, r
 from sdfcheck_rules.drk.remote_mesh import is_on_host
 
 NAME_ONLY = re.compile(r"(?:model|package)://[^/\s]+")
-ALONE = re.compile(r"[\w.-]+")
 INCLUDE = "<include><uri>{}</uri></include>"
 
 
@@ -13,9 +12,10 @@ class ModelUriWithoutSlash(Rule):
     """An include names a model by a URI without a slash behind the name, which Drake does not take for one.
 
     Drake knows a URI by `scheme://package/path`. `model://turntable` without a path is looked for as a file, and the
-    file is refused; `model://turntable/` is found. So is `turntable` alone, which Gazebo looks for among its models,
-    only where a folder of that name is beside the file. `file:` takes an absolute path, after a third slash. Gazebo
-    takes them all.
+    file is refused; `model://turntable/` is found. `turntable` alone, which Gazebo looks for among its models, and a
+    path such as `arms/arm.sdf`, which leads from the file for Gazebo, are looked for in the folder in which the program
+    is started: Drake gives libsdformat `.` as the folder of includes. `file:` takes an absolute path, after a third
+    slash. Gazebo takes them all.
     """
 
     code = "DRK023"
@@ -44,7 +44,12 @@ class ModelUriWithoutSlash(Rule):
                 "models/turntable/model.config": "<model><sdf>model.sdf</sdf></model>",
                 "models/turntable/model.sdf": '<sdf version="1.9"><model name="t"><link name="l"/></model></sdf>',
             },
-            says="`turntable` is the name of a model elsewhere",
+            says="`turntable` leads from the folder in which Drake is started",
+        ),
+        Bad(
+            INCLUDE.format("«arms/arm.sdf»"),
+            files={"arms/arm.sdf": '<sdf version="1.9"><model name="a"><link name="l"/></model></sdf>'},
+            says="`arms/arm.sdf` leads from the folder in which Drake is started, elsewhere it refuses the file",
         ),
         Bad(
             INCLUDE.format("«file://turntable/model.sdf»"),
@@ -57,42 +62,37 @@ class ModelUriWithoutSlash(Rule):
     good = (
         Good(INCLUDE.format("model://turntable/")),
         Good(INCLUDE.format("model://turntable/model.sdf")),
-        Good(
-            INCLUDE.format("turntable"),
-            files={"turntable/model.config": "<model><sdf>model.sdf</sdf></model>"},
-            why="a folder beside the file",
-        ),
     )
 
     @staticmethod
     def applies(include: Include) -> bool:
-        is_named = NAME_ONLY.fullmatch(include.uri) is not None or is_name_of_model(include)
+        is_named = NAME_ONLY.fullmatch(include.uri) is not None or is_relative(include)
         return is_named or is_on_host(include)
 
     def check(self, include: Include) -> Iterator[Diagnostic]:
-        value = include.uri_value
+        value, uri = include.uri_value, include.uri
         if value is None:
             return
+        meant = "" if is_on_host(include) or set("/.") & set(uri) else f"model://{uri}/"
         if is_on_host(include):
             message = "`file:` takes an absolute path behind three slashes: Drake refuses the file"
-            yield self.diagnostic(value, message, help="name it by the path from the file, or by `model://`")
-            return
-        if NAME_ONLY.fullmatch(include.uri):
+        elif is_relative(include):
             message = (
-                f"`{include.uri}` ends with the name: Drake looks for no model there and refuses the file"
+                f"`{uri}` leads from the folder in which Drake is started, elsewhere it refuses the file"
             )
-            meant, title = f"{include.uri}/", "put a slash behind the name"
         else:
-            message = f"`{include.uri}` is the name of a model elsewhere: Drake looks beside the file and refuses it"
-            meant, title = f"model://{include.uri}/", "name it as a model"
-        yield self.diagnostic(
-            value, message, fix=replace(value, value.text.replace(include.uri, meant), title)
-        )
+            message, meant = (
+                f"`{uri}` ends with the name: Drake looks for no model there and refuses the file",
+                f"{uri}/",
+            )
+        if not meant:
+            yield self.diagnostic(value, message, help="name it by `model://` or `package://`")
+            return
+        fix = replace(value, value.text.replace(uri, meant), f"write {meant}")
+        yield self.diagnostic(value, message, fix=fix)
 
 
-def is_name_of_model(include: Include) -> bool:
-    """Is it the name of a model elsewhere, without a scheme?"""
-    location = include.location
-    if location is None or location.path is None or not ALONE.fullmatch(include.uri):
-        return False
-    return location.path.absolute().parent != include.document.path.absolute().parent
+def is_relative(include: Include) -> bool:
+    """Is it a path without a scheme, or the name of a model, that leads to a file?"""
+    is_found = include.location is not None and include.location.path is not None
+    return is_found and ":" not in include.uri and not include.uri.startswith("/")

@@ -48,6 +48,12 @@ class UnknownAttribute(Rule):
         ),
         Good('<link xmlns:p="https://example.org/p" name="arm" p:color="red"/>', why="it has a prefix"),
         Good(
+            '<sdf version="1.6"><model name="m"><link name="l"/><include><uri>model://arm</uri>'
+            '<pose frame="">0 0 0 0 0 0</pose></include></model></sdf>',
+            why="libsdformat converts it in every pose",
+            scaffold="{}",
+        ),
+        Good(
             '<plugin name="p" filename="p"><link name="base" color="red"/></plugin>',
             why="the content of a plugin is the plugin's",
         ),

@@ -129,6 +129,12 @@ class UnknownElement(Rule):
         elif holds_delimiter(element):
             affects = {Consumer.GAZEBO: refuses("refuses the file for `::` in a name")}
             severity = Severity.ERROR
+        elif repeats_name(element):
+            affects = {
+                Consumer.GAZEBO: refuses(
+                    "its checker refuses the file for a repeated name; simulators read it"
+                )
+            }
         yield self.diagnostic(
             element, message, meant=guess, fix=fix, help=advice, severity=severity, affects=affects
         )
@@ -147,14 +153,26 @@ def holds_delimiter(element: Element) -> bool:
     """Has it a name with `::`, or an element in it? From 1.8 on libsdformat refuses that but in custom elements."""
     if element.document.view(Root).is_older_than("1.8"):
         return False
+    return any("::" in each.attributes.get("name", "") for each in checked(element))
+
+
+def repeats_name(element: Element) -> bool:
+    """Have two elements that are side by side in it one name?"""
+    for each in checked(element):
+        named = [one for one in each.children() if one.name != "plugin" and "name" in one.attributes]
+        if len({one.attributes["name"] for one in named}) < len(named):
+            return True
+    return False
+
+
+def checked(element: Element) -> Iterator[Element]:
+    """It and those in it whose names the checker of libsdformat looks at: not what a prefix or a plugin has."""
     waiting = [element]
     while waiting:
         each = waiting.pop()
         if ":" not in each.name and each.name != "plugin":
-            if "::" in each.attributes.get("name", ""):
-                return True
+            yield each
             waiting += each.children()
-    return False
 
 
 def as_pose(origin: Element) -> Fix | None:

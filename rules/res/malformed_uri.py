@@ -1,3 +1,4 @@
+import os
 from collections.abc import Iterator
 
 from sdfcheck import (
@@ -93,6 +94,13 @@ class MalformedUri(Rule):
             files={"package.xml": "<package><name>arm</name></package>"},
             says="`package:` takes a name, and an absolute path follows: `file:` takes one",
         ),
+        Bad(
+            URDF_MESH.format("«package:///meshes/arm.obj»"),
+            fixed=URDF_MESH.format("meshes/arm.obj"),
+            scaffold=IN_URDF_LINK,
+            files={"meshes/arm.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+            says="did you mean `meshes/arm.obj`?",
+        ),
     )
     good = (
         Good(
@@ -111,6 +119,8 @@ class MalformedUri(Rule):
         if value is None or misspelling is None:
             return
         text, (fault, meant) = value.text, misspelling
+        if fault is UriFault.SLASHES:
+            meant = beside(named) or meant
         affects, severity = {}, None
         if fault in CUT_OFF and "://" in text:
             # Gazebo looks for the rest in its resource paths, whatever the scheme.
@@ -131,3 +141,11 @@ class MalformedUri(Rule):
         }[fault]
         fix = replace(value, meant, f"write {meant}") if meant and needs_no_escape(meant) else None
         yield self.diagnostic(value, message, meant=meant, fix=fix, affects=affects, severity=severity)
+
+
+def beside(named: Include | Resource) -> str:
+    """The path from the file, if that is what follows the slashes of `package:///` and no package has its name."""
+    scheme, _, path = named.uri.partition(":///")
+    if scheme != "package" or ".." in path.split("/"):
+        return ""
+    return path if os.path.isfile(os.path.join(named.document.path.parent, path)) else ""

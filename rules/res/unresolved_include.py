@@ -25,10 +25,11 @@ class UnresolvedInclude(Rule):
     """The uri of an include leads to no file.
 
     libsdformat refuses the document. A file of another computer is a warning: a `model://`, or a bare name,
-    that no folder near by nor any on the search path has (set `model-paths` in the configuration), and a path from
-    the root of the file system. So is a folder without content, as that of a submodule that is not checked out.
-    Models on the network, such as those of Gazebo Fuel, are pointed out only; nothing
-    is ever fetched. A folder needs a `model.config` that says which of its files is the model.
+    that no folder near by nor any on the search path has (set `model-paths` in the configuration), a path from
+    the root of the file system, and one into `install`, which a build makes where Gazebo is started. So is a folder
+    without content, as that of a submodule that is not checked out. Models on the network, such as those of Gazebo
+    Fuel, are pointed out only; nothing is ever fetched. A folder needs a `model.config` that says which of its files
+    is the model.
     """
 
     code = "RES002"
@@ -46,6 +47,9 @@ class UnresolvedInclude(Rule):
     bad = (
         Bad("<include><uri>«arm.sdf»</uri></include>", files={}, says="`arm.sdf` leads to no file"),
         Bad("<include><uri>«/home/ann/arm.sdf»</uri></include>", files={}, says="leads to no file"),
+        Bad(
+            "<include><uri>«install/arm/share/arm/arm.sdf»</uri></include>", files={}, says="leads to no file"
+        ),
         Bad(
             "<include><uri>«model://arm/arm.sdf»</uri></include>",
             files={"arm/model.sdf": ARM},
@@ -157,7 +161,8 @@ class UnresolvedInclude(Rule):
             _, _, inside = include.uri.partition(f"{location.name}/")
             lacked = f"there is no `{inside}` in {location.scheme} `{location.name}`"
             message = f"`{include.uri}` leads to no file" if location.owner is None else lacked
-            severity = Severity.WARNING if include.is_absolute else self.severity
+            is_outside = include.is_absolute or include.uri.startswith("install/")
+            severity = Severity.WARNING if is_outside else self.severity
             yield self.diagnostic(value, message, help=looked_for(include), severity=severity)
 
     def together(self, includes: list[Include], absence: Absence) -> Diagnostic:

@@ -30,7 +30,6 @@ VALUES = frozenset(
         ("box", "size"),
         ("child", "link"),
         ("color", "rgba"),
-        ("mass", "value"),
         ("material", "name"),
         ("parent", "link"),
         ("sphere", "radius"),
@@ -80,6 +79,13 @@ class MissingAttribute(Rule):
             unsafe=True,
             scaffold=IN_URDF_LINK,
             says="`radius` and 1 more of `cylinder` are attributes, not elements",
+        ),
+        Bad(
+            "<contact><«lateral_friction»>0.5</lateral_friction></contact>",
+            fixed='<contact><lateral_friction value="0.5"/></contact>',
+            unsafe=True,
+            scaffold=IN_URDF_LINK,
+            says="`lateral_friction` has no `value`, only text",
         ),
         Bad(
             '<sdf version="1.9"><world name="w"><model name="m"><link name="l"/></model>'
@@ -138,7 +144,9 @@ class MissingAttribute(Rule):
                     f"`{first.name}` and {len(others)} more of {element.title} are attributes, not elements"
                 )
             fix = as_attributes(problem.elements, element)
-        elif (element.name, name) in VALUES and element.content and not element.attributes:
+        elif (
+            (name == "value" or (element.name, name) in VALUES) and element.content and not element.attributes
+        ):
             message += ", only text"
             fix = as_attributes((element,), element, name)
         if problem.until is None:

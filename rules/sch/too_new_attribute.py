@@ -38,6 +38,12 @@ class TooNewAttribute(Rule):
             unsafe=True,
             says="`degrees` (used 2 times) came with version 1.9",
         ),
+        Bad(
+            '<sdf version="1.4"><model name="m"><pose «frame»="">0 0 1 0 0 0</pose><link name="l"/></model></sdf>',
+            fixed='<sdf version="1.5"><model name="m"><pose frame="">0 0 1 0 0 0</pose><link name="l"/></model></sdf>',
+            unsafe=True,
+            says="`frame` came with version 1.5, and the file declares 1.4",
+        ),
     )
     good = (
         Good('<link name="arm"><pose relative_to="base">0 0 1 0 0 0</pose></link>', scaffold=IN_MODEL),

@@ -1,7 +1,7 @@
 import re
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Root, Rule, Severity, replace
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Root, Rule, Severity, accepts, replace
 
 _MISSPELLED = re.compile(r"\D*0*1[.,]0*(\d+)(?!\d)")
 """A version of SDFormat, perhaps with spaces around it, a leading zero, a third number or a comma."""
@@ -12,7 +12,7 @@ class UnknownVersion(Rule):
 
     libsdformat looks the version up as a text: `1.6.0`, `1.06` and ` 1.6` are all unknown
     to it, as is everything before 1.2. The load fails, and where the text does not begin
-    with a number the program crashes.
+    with a number the program crashes. Older releases, as the one in Drake, convert 1.0 as well.
     """
 
     code = "SCH002"
@@ -30,6 +30,7 @@ class UnknownVersion(Rule):
     bad = (
         Bad("«1.6.0»", fixed="1.6", unsafe=True, says="did you mean `1.6`?"),
         Bad("«1.13»", says="version `1.13` is not known"),
+        Bad("«1.0»", says="version `1.0` is not known"),
         Bad("«1,9»", fixed="1.9", unsafe=True, says="did you mean `1.9`?"),
     )
     good = (Good("1.2", why="the oldest that consumers convert"), Good("1.10", why="ten, not one"))
@@ -50,7 +51,8 @@ class UnknownVersion(Rule):
         listed = f"known are {known[0]} to {known[-1]}"
         meant = meant_version(value.text, is_urdf=root.is_urdf)
         if meant not in known:
-            yield self.diagnostic(value, message, help=listed)
+            affects = {Consumer.DRAKE: accepts("converts it")} if value.text == "1.0" else {}
+            yield self.diagnostic(value, message, help=listed, affects=affects)
             return
         fix = replace(value, meant, f"declare version {meant}", unsafe=True)
         yield self.diagnostic(value, message, meant=meant, fix=fix, help=listed)

@@ -32,11 +32,11 @@ from sdfcheck.lint.session import run as lint
 from sdfcheck.lint.targets import NO_SDF, Reason, Row, matrix
 from sdfcheck.report.colors import Ink, painter
 from sdfcheck.report.paths import Paths
-from sdfcheck.source.document import Document, read
+from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.sniff import Kind, sniff
 from sdfcheck.xacro.prepare import is_fragment
-from sdfcheck.xacro.static.definitions import is_robot, visible_definitions
+from sdfcheck.xacro.static.definitions import is_robot, keyword, visible_definitions
 
 if TYPE_CHECKING:
     from sdfcheck.consumers.engines import Answer, Engine
@@ -169,10 +169,15 @@ def may_have_links(document: Document) -> bool:
         called |= more
     taken = {macro.element for name in called for macro in visible.macros.get(name, ())}
     return visible.is_open or any(
-        element.name == "link" and (macro is None or macro in taken)
+        element.name == "link" and (macro is None or macro in taken) and _is_directly_in_robot(element)
         for read in visible.readings
         for element, macro in read.elements
     )
+
+
+def _is_directly_in_robot(element: Element) -> bool:
+    """Is an element of xacro in nothing else than a robot, and what xacro takes away?"""
+    return all(each.name == "robot" or ":" in each.name or keyword(each) for each in element.around)
 
 
 def asked(file: Path, rows: Sequence[Row], around: SearchContext, seconds: float) -> dict[Consumer, Answer]:

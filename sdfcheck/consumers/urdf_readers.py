@@ -89,7 +89,13 @@ def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
 
 
 def _ignoring(element: Element) -> dict[Consumer, Reaction]:
-    """That others do not read it, where it is, or is in, an element that some consumers alone know."""
+    """That others do not read it, where it is, or is in, an element that some consumers alone know.
+
+    Nor do many what a joint has that does not move, or in more ways than one.
+    """
+    joint = element.parent
+    if joint is not None and joint.name == "joint":
+        return dict.fromkeys(_AT_REST.get((joint.text_of("type"), element.name), ()), _UNREAD)
     definition = urdf()
     for name in [element.name, *(each.name for each in element.around)][-2::-1]:
         if name not in definition.children:
@@ -99,6 +105,18 @@ def _ignoring(element: Element) -> dict[Consumer, Reaction]:
             known = frozenset[Consumer]().union(*(_SOLE[each] for each in definition.consumers))
             return dict.fromkeys((one for one in Consumer if one not in known), _UNREAD)
     return {}
+
+
+_AT_REST: Mapping[tuple[str | None, str], tuple[Consumer, ...]] = {
+    ("fixed", "axis"): (Consumer.URDFDOM, Consumer.GAZEBO, Consumer.DRAKE, Consumer.PYBULLET),
+    ("fixed", "limit"): (Consumer.DRAKE, Consumer.MUJOCO),
+    ("fixed", "dynamics"): (Consumer.DRAKE, Consumer.MUJOCO),
+    ("fixed", "mimic"): (Consumer.MUJOCO,),
+    ("floating", "axis"): (Consumer.URDFDOM, Consumer.DRAKE, Consumer.PYBULLET),
+    ("floating", "limit"): (Consumer.DRAKE,),
+    ("floating", "dynamics"): (Consumer.DRAKE,),
+}
+"""The type of a joint and an element in it → who does not read that there."""
 
 
 def _otherwise_read(value: Value, mujoco: Reaction) -> Mapping[Consumer, Reaction]:

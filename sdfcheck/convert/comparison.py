@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import islice
@@ -356,12 +356,19 @@ def _kind(joint: Joint) -> str:
     return "continuous" if joint.kind == "revolute" and is_endless else joint.kind
 
 
+_ENDS: Mapping[str, Callable[[float, float], float]] = {"lower": min, "upper": max}
+
+
 def _bounds_apart(
     a: Axis, b: Axis, tolerance: float, unlimited: float = ENDLESS
 ) -> Iterator[tuple[str, float, float]]:
-    """The limits and dynamics in which two axes differ; bounds from ``unlimited`` on mean none."""
+    """The limits and dynamics in which two axes differ; bounds from ``unlimited`` on mean none.
+
+    The ends of a range may have been exchanged.
+    """
     for what in ("lower", "upper", "effort", "velocity", "damping", "friction"):
-        given = (getattr(axis, what) for axis in (a, b))
+        end = _ENDS.get(what)
+        given = (getattr(axis, what) if end is None else end(axis.lower, axis.upper) for axis in (a, b))
         x, y = (math.copysign(math.inf, value) if abs(value) >= unlimited else value for value in given)
         if not same_number(x, y, tolerance):
             yield what, x, y

@@ -321,7 +321,9 @@ def custom_entry(element: Element, kind: Kind) -> Entry:
     tag = tag_of(element.document, element.name, kind.value)
     if tag is not None:
         return _tag_entry(element, tag, kind)
-    made = Entry(element.name.removeprefix(_KEPT), " ".join(element.content.split()), element)
+    own = element.name.removeprefix(_KEPT)
+    # One that SDFormat has as well, made of something else, is another one.
+    made = Entry(f"{_KEPT}{own}" if own in COUNTED else own, " ".join(element.content.split()), element)
     for name, text in element.attributes.items():
         if name.removeprefix(_KEPT) == "name":
             made.own = text

@@ -124,18 +124,17 @@ def _holds(fix: Fix, top: Source) -> bool:
 
 
 def fold(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """One diagnostic for each rule and place, with the number of expansions that it shows up in.
+    """One diagnostic for each rule, place and severity, with the number of expansions that it shows up in.
 
     The first represents all. Its fix stays if all have the same. Two diagnostics of one expansion
     at one place are two mistakes.
     """
-    groups: dict[tuple[str, Span, int], list[Diagnostic]] = {}
-    heard: dict[tuple[str, Span, tuple[Origin, ...]], int] = {}
+    groups: dict[object, list[Diagnostic]] = {}
+    heard: Counter[object] = Counter()
     for diagnostic in sorted(dict.fromkeys(diagnostics), key=_order):
-        place = Span(*diagnostic.span)
-        key = (diagnostic.code, place, diagnostic.origins)
-        turn = heard[key] = heard.get(key, -1) + 1
-        groups.setdefault((diagnostic.code, place, turn), []).append(diagnostic)
+        what = (diagnostic.code, diagnostic.severity, Span(*diagnostic.span))
+        heard[what, diagnostic.origins] += 1
+        groups.setdefault((what, heard[what, diagnostic.origins]), []).append(diagnostic)
     return sorted((_one(group) for group in groups.values()), key=lambda diagnostic: diagnostic.sort_key)
 
 

@@ -257,7 +257,12 @@ class Joints:
             message = f"joint `{joint.name}` has no limits; it is taken as unlimited"
             self.context.note(joint.element, LossKind.CHANGED_DEFAULT, message)
             return {}
-        return {name: limit.attributes.get(name) or self._bound(joint, name) for name in ("lower", "upper")}
+        lower, upper = (limit.attributes.get(name) or self._bound(joint, name) for name in ("lower", "upper"))
+        if self.context.options.like is not None and joint.axes and joint.axes[0].lower > joint.axes[0].upper:
+            message = f"the limits of joint `{joint.name}` are exchanged, as Gazebo exchanges them"
+            self.context.note(joint.element, LossKind.CHANGED_LIMIT, message)
+            lower, upper = upper, lower
+        return {"lower": lower, "upper": upper}
 
     def _idle_range(self, limit: Element | None) -> None:
         for name in ("lower", "upper"):

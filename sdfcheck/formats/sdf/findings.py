@@ -352,13 +352,16 @@ class SdfFindings(Findings):
 
     def unknown_attribute(self, element: Element, definition: Definition, name: str) -> None:
         old = history.last_version(definition, "@" + name)
-        if old is not None and not history.carried_over(definition, "@" + name, self.version):
+        if history.carried_over(definition, "@" + name, self.version):
+            if old is None:
+                self.too_new(element, definition, name, history.since(definition, "@" + name))
+        elif (element.name, name) == ("pose", "frame") and self.version < _SEVEN:
+            return  # it is converted in every pose, also in those of includes, which never had it
+        elif old is not None:
             successor = history.successor(definition, "@" + name)
             parent = element.parent if element.parent is not None else element
             self.found.append(problems.RemovedElement(element, parent, name, old, successor))
-        elif old is None:
-            if self.is_one_too_many(element):
-                return
+        elif not self.is_one_too_many(element):
             lacking = [each for each in definition.attributes if each not in element.attributes]
             suggestion = suggest(name, lacking)
             if suggestion is not None:
@@ -441,7 +444,8 @@ class SdfFindings(Findings):
         self.found = folded_values(folded_children(folded_attributes(folded_texts(self.found))))
         root = self.document.root
         declaration = root.attribute("version") if root is not None else None
-        for (_, attribute, since), uses in self.uses_too_new.items():
+        is_known = declaration is not None and Version.parse(declaration.text) is not None
+        for (_, attribute, since), uses in self.uses_too_new.items() if is_known else ():
             assert declaration is not None, "without one nothing is too new"
             if attribute:
                 self.found.append(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.formats.schema import Definition
 from sdfcheck.formats.sdf.schema import SDF, schema
-from sdfcheck.formats.version import NEWEST, Version
+from sdfcheck.formats.version import NEWEST, OLDEST, Version
 from sdfcheck.formats.walk import Walk
 from sdfcheck.source.document import Document, Element
 from sdfcheck.source.record import NamedTuple
@@ -110,13 +110,19 @@ def noted_in(document: Document) -> Noted:
 
 
 def version_of(document: Document) -> Version:
-    """The declared version; the newest one where none or an unknown one is declared."""
+    """The declared version; the newest one where none or an unknown one is declared, the oldest for one before it."""
     return document.view(_version)
 
 
 def _version(document: Document) -> Version:
     is_sdf = document.root is not None and document.root.name == "sdf"
+    if is_sdf and document.version in _BEFORE:
+        return OLDEST
     return (Version.parse(document.version or "") if is_sdf else None) or NEWEST
+
+
+_BEFORE = ("1.0", "1.1")
+"""Versions that were before those that consumers know."""
 
 
 def problems(document: Document) -> list[object]:

@@ -307,12 +307,14 @@ def _of_urdf(root: Whole) -> Iterator[Name]:
 
 
 def _repeated(names: list[Name]) -> Iterator[Namesakes]:
-    """The names that are taken."""
-    taken: dict[str, Name] = {}
+    """The names that are taken: by the first of the same kind, or else by the first of all."""
+    taken: dict[str, dict[str, Name]] = {}
     for name in names:
         if name.parent.name == "sdf" and name.kind in _SINGLE_AT_ROOT:
             continue
-        first = taken.setdefault(name.name, name)
+        kinds = taken.setdefault(name.name, {})
+        first = kinds.get(name.kind) or next(iter(kinds.values()), name)
+        kinds.setdefault(name.kind, name)
         if first is not name:
             yield Namesakes(first, name)
 

@@ -361,6 +361,47 @@ def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.Capt
     assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
 
 
+def test_links_in_an_element_of_another_format_make_no_robot(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "pond.xacro"
+    model = '<model name="floor"><link name="floor"/></model>'
+    file.write_text(f'<robot name="pond" xmlns:xacro="http://www.ros.org/wiki/xacro">{model}</robot>')
+    main(["targets", str(file), "--isolated", "--target", "urdfdom"])
+    assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
+
+
+def test_version_1_0_is_read_by_drake_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "old.sdf"
+    file.write_text(
+        '<sdf version="1.0"><model name="m"><link name="a"><pose frame="">0 0 0 0 0 0</pose></link></model></sdf>'
+    )
+    main(["targets", str(file), "--isolated", "--target", "drake,gazebo"])
+    shown = capsys.readouterr().out
+    assert "drake   accept" in shown
+    assert "gazebo  reject" in shown
+
+
+def test_repeated_names_in_an_unknown_element(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    interfaces = '<state_interface name="velocity"/>' * 2
+    control = f'<ros2_control name="c"><joint name="j">{interfaces}</joint></ros2_control>'
+    file = tmp_path / "controlled.sdf"
+    file.write_text(f'<sdf version="1.9"><model name="m"><link name="a"/>{control}</model></sdf>')
+    main(["targets", str(file), "--isolated", "--target", "gazebo"])
+    assert "its checker refuses the file for a repeated name" in capsys.readouterr().out
+
+
+def test_a_name_of_another_kind_hides_no_repeated_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shapes = [f'<{kind} name="v"><geometry><empty/></geometry></{kind}>' for kind in ("visual", "collision")]
+    file = tmp_path / "arm.sdf"
+    content = "".join((*shapes, shapes[1]))
+    file.write_text(f'<sdf version="1.9"><model name="m"><link name="a">{content}</link></model></sdf>')
+    main(["targets", str(file), "--isolated", "--target", "drake"])
+    assert "there is another collision `v` in link `a`" in capsys.readouterr().out
+
+
 def test_materials_alone_are_no_robot(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "colors.urdf").write_text(
         '<robot name="colors"><material name="gray"><color rgba="0.5 0.5 0.5 1"/></material></robot>'

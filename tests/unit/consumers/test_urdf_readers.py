@@ -40,6 +40,18 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
     ("robot", "old", "new", "expected"),
     [
         (ALONE, "<inertia ", "<inertai ", "mujoco pybullet"),
+        (
+            ROBOT,
+            'type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>',
+            'type="fixed"><parent link="a"/><child link="b"/><axis xyz="1e400"/>',
+            "isaac mujoco",
+        ),
+        (
+            ROBOT,
+            'type="revolute"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><limit lower="-1"',
+            'type="fixed"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><limit lower="low"',
+            "gazebo isaac pinocchio ros urdfdom",
+        ),
         (ALONE, "<mass ", "<masss ", "gazebo mujoco pybullet"),
         (ALONE, ' name="a"', "", "drake gazebo isaac mujoco pybullet"),
         (ROBOT, ' name="a"', ' name=""', "drake gazebo isaac mujoco pinocchio pybullet ros urdfdom"),

@@ -127,6 +127,16 @@ def test_a_robot_of_which_nothing_is_left() -> None:
         built(link("base") + link("arm", BODY(1)) + joint("j", "base", "arm", "continuous"))
 
 
+def test_limits_are_exchanged_where_the_lower_one_is_above_the_upper_one() -> None:
+    slide = joint("j", "base", "arm", "prismatic").replace(
+        "</joint>", '<limit lower="0.02" upper="-0.02" effort="1" velocity="1"/></joint>'
+    )
+    done = built(link("base", BODY(1)) + link("arm", BODY(1)) + slide)
+    assert "<lower>-0.02</lower>" in done.text
+    assert "<upper>0.02</upper>" in done.text
+    assert LossKind.CHANGED_LIMIT in {loss.kind for loss in done.losses}
+
+
 def test_from_python() -> None:
     robot = f'<robot name="r">{ARM}</robot>'
     assert "base_fixed_joint_lump__v_visual_1" in convert(robot, "sdf", like=Consumer.GAZEBO).text

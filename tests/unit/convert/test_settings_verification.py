@@ -144,3 +144,14 @@ def test_older_names_of_sensors_mean_the_same(kind: str) -> None:
         back = convert(read(done.text.encode(), Path("r.sdf"), Kind.SDF))
         assert back.verification is not None
         assert back.verification.is_equal, back.verification.differences
+
+
+def test_an_element_that_is_kept_is_no_setting_of_its_name() -> None:
+    surface = "<surface><friction><ode><mu>0.5</mu></ode></friction></surface>"
+    shape = f'<collision><geometry><box size="1 1 1"/></geometry>{surface}</collision>'
+    block = '<gazebo reference="a"><mu1>1</mu1></gazebo>'
+    text = f'<robot name="r"><link name="a">{MASS}{shape}</link>{block}</robot>'
+    done = urdf_to_sdf(read(text.encode(), Path("r.urdf"), Kind.URDF), Options())
+    assert "<urdf:surface>" in done.text
+    assert done.verification is not None
+    assert done.verification.is_equal
