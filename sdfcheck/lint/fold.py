@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from sdfcheck.consumers.reaction import Verdict
+from sdfcheck.consumers.reaction import Manner
 from sdfcheck.files.library import Disk
 from sdfcheck.lint.diagnostic import Diagnostic, Label, Origin, Severity
 from sdfcheck.lint.fix import Fix
@@ -189,15 +189,29 @@ def _with_consequence(diagnostic: Diagnostic, other: Diagnostic) -> Diagnostic:
     worst = dict(diagnostic.affects)
     for consumer, reaction in other.affects:
         known = worst.setdefault(consumer, reaction)
-        worst[consumer] = max(known, reaction, key=lambda each: _VERDICTS.index(each.verdict))
+        worst[consumer] = max(known, reaction, key=lambda each: _MANNERS.index(each.manner))
     severity = max(diagnostic.severity, other.severity, key=lambda each: each.rank)
-    labels = diagnostic.labels
-    if other.span.text == diagnostic.span.text and len(labels) < _MOST_LABELS:
-        labels = (*labels, Label(other.span, "named here, too"))
-    return diagnostic._replace(severity=severity, affects=tuple(sorted(worst.items())), labels=labels)
+    labels, fix = diagnostic.labels, diagnostic.fix
+    if other.span.text == diagnostic.span.text:
+        labels = (*labels, Label(other.span, "named here, too"))[: max(_MOST_LABELS, len(labels))]
+        fix = _joined(fix, other.fix)
+    return diagnostic._replace(
+        severity=severity, affects=tuple(sorted(worst.items())), labels=labels, fix=fix
+    )
 
 
-_VERDICTS = tuple(Verdict)
+def _joined(fix: Fix | None, other: Fix | None) -> Fix | None:
+    """The fix that writes the same in two places."""
+    if (
+        fix is None
+        or other is None
+        or {each.text for each in (*fix.edits, *other.edits)} != {fix.edits[0].text}
+    ):
+        return fix
+    return fix._replace(edits=tuple(dict.fromkeys((*fix.edits, *other.edits))))
+
+
+_MANNERS = tuple(Manner)
 
 
 _MOST_STEPS = 4

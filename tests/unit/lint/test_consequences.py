@@ -64,6 +64,11 @@ def test_nothing_is_wrong(text: str, name: str, tmp_path: Path) -> None:
         ('<axis xyz="0 0 1"/>', '<axis xy="0 0 1"/>', "URD002"),
         ('reference="wheel"', 'referenc="wheel"', "URD002"),
         ('value="0.5"', 'value="inf"', "SCH011"),
+        ('value="0.5"', 'valu="0.5"', "URD002"),
+        ('<mass value="0.5"/>', '<mas value="0.5"/>', "URD001"),
+        ('<mass value="0.5"/>', "", "URD010"),
+        ('name="lifts" type', 'name="lift" type', "JNT009"),
+        ('name="lifts" type', 'nam="lifts" type', "URD002"),
     ],
 )
 def test_a_robot(right: str, wrong: str, code: str, tmp_path: Path) -> None:
@@ -84,6 +89,9 @@ def test_a_material(tmp_path: Path) -> None:
         ('<link name="arm">', '<link name=" ">', "NAM006"),
         ('<frame name="gate"/>', "<frame/>", "SCH005"),
         ('<joint name="lifts"', "<joint", "SCH005"),
+        ('<link name="base">', '<link name="bass">', "JNT001"),
+        ('<link name="base">', '<link name="world">', "NAM003"),
+        ("<parent>base</parent><child>arm</child>", "", "SCH004"),
         ("gz-sim-imu-system", "gz-sim-imusystem", "RES015"),
         ('filename="gz-sim-imu-system"', 'filenam="gz-sim-imu-system"', "NS001"),
         ('filename="gz-sim-physics-system"', 'filenam="gz-sim-physics-system"', "NS001"),
@@ -92,3 +100,31 @@ def test_a_material(tmp_path: Path) -> None:
 def test_a_world(right: str, wrong: str, code: str, tmp_path: Path) -> None:
     assert right in WORLD
     assert codes(WORLD.replace(right, wrong, 1), tmp_path / "w.sdf") == [code]
+
+
+@pytest.mark.parametrize("name", ["joint", "link", "inertial", "mass"])
+def test_a_misspelled_element(name: str, tmp_path: Path) -> None:
+    head, _, rest = ROBOT.rpartition(f"<{name} ") if name != "inertial" else ROBOT.rpartition("<inertial>")
+    end = "" if name == "mass" else f"</{name}>"
+    rest = rest.replace(end, end[:-1] + "s>", 1) if end else rest
+    text = f"{head}<{name}s{'>' if name == 'inertial' else ' '}{rest}"
+    assert codes(text, tmp_path / "r.urdf") == ["URD001"]
+
+
+def test_it_does_what_follows_from_it(tmp_path: Path) -> None:
+    path = tmp_path / "r.urdf"
+    head, _, rest = ROBOT.rpartition("<inertial>")
+    path.write_text(f"{head}<inertia>{rest.replace('</inertial>', '</inertia>', 1)}")
+    (found,) = (each for each in sdfcheck.lint(path).diagnostics if each.code == "URD001")
+    assert dict(found.affects)["gazebo"].words == "drops the link and those below it"
+    assert "URD014" in {each.code for each in sdfcheck.lint(path, select=("URD014",)).diagnostics}
+
+
+def test_a_name_that_nothing_has_is_corrected_everywhere(tmp_path: Path) -> None:
+    path = tmp_path / "w.sdf"
+    path.write_text(WORLD.replace('<link name="base">', '<link name="bass">'))
+    (found,) = (each for each in sdfcheck.lint(path).diagnostics if each.code == "JNT001")
+    assert [label.text for label in found.labels] == ["named here, too"] * 3
+    assert found.fix is not None
+    assert {(edit.span.text, edit.text) for edit in found.fix.edits} == {("base", "bass")}
+    assert len(found.fix.edits) == 4
