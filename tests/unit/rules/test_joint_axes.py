@@ -38,7 +38,6 @@ def in_urdf(inside: str, type: str = "continuous") -> str:
         ("Prismatic", "", ["axis"]),
         ("universal", AXIS, ["axis2"]),
         ("universal", "", ["axis", "axis2"]),
-        ("revolute", "<axsi/>", []),
         ("ball", "", []),
         ("fixed", "", []),
         ("no_such_type", "", []),

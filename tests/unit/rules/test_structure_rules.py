@@ -29,7 +29,6 @@ def in_link(text: str) -> str:
         ("", ["`sdf` has no `version`"]),
         (' version=""', ["`version` of `sdf` is empty"]),
         (' version="  "', ["`version` of `sdf` is empty"]),
-        (' versoin="1.12"', []),
         (' version="1.13"', []),
     ],
 )
@@ -77,7 +76,6 @@ def test_the_versions_of_the_tables_are_known() -> None:
         ('<visual name="v"><geometry><!-- none --></geometry></visual>', ["`geometry` has no shape"]),
         ('<visual name="v"><geometry><!-- one --><sphere/></geometry></visual>', []),
         ('<collision name="c"/>', ["collision `c` has no `geometry`"]),
-        (f'<collision name="c">{BOX.replace("geometry", "geometri")}</collision>', []),
         (
             '<sensor name="s" type="contact"><contact><collision>c</collision></contact></sensor>',
             [],
@@ -103,7 +101,6 @@ def test_states_go_by_the_names_of_parts() -> None:
         ("camera", "", ["has no `camera`, so it runs on defaults"]),
         ("gpu_lidar", "<update_rate>5</update_rate>", ["has no `lidar`, so it runs on defaults"]),
         ("navsat", "<navsat/><imu/>", ["does not read `imu`, but `navsat`"]),
-        ("camera", "<camrea/>", []),
         ("imu", "", []),
         ("multicamera", '<camera name="a"/><camera name="b"/>', []),
         ("custom", "<camera/>", []),
