@@ -109,8 +109,10 @@ class OutOfRange(Rule):
 
     def check(self, problem: problems.ValueOutOfRange | problems.ReversedRange) -> Iterator[Diagnostic]:
         if isinstance(problem, problems.ReversedRange):
+            upper = problem.upper
+            labels, cause = {upper: "the upper end"}, upper.span
             yield self.diagnostic(
-                problem.lower, problem.text, labels={problem.upper: "the upper end"}, affects=OTHER_VALUE
+                problem.lower, problem.text, labels=labels, affects=OTHER_VALUE, cause=cause
             )
             return
         name = problem.value.attribute or problem.value.element.name

@@ -7,6 +7,7 @@ World.cc) and what they do when run.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import inf
 
 from sdfcheck.formats import problems
 from sdfcheck.formats.sdf.survey import Survey, survey
@@ -197,5 +198,5 @@ def _order(surveyed: Survey) -> Iterator[object]:
 
 def _reversed(low_holder: Element, low: str, high_holder: Element, high: str) -> Iterator[object]:
     lower, upper = low_holder.number(low), high_holder.number(high)
-    if lower is not None and upper is not None and lower.number > upper.number:
+    if lower is not None and upper is not None and inf > lower.number > upper.number:
         yield problems.ReversedRange(lower, upper, f"{low} {lower.text} is above {high} {upper.text}")
