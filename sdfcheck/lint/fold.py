@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from sdfcheck.consumers.reaction import Manner
@@ -174,46 +175,49 @@ def with_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
         near = starts[bisect_left(starts, cause.start) : bisect_right(starts, cause.end)]
         return next((at[cause.source, start] for start in near if (cause.source, start) in at), each)
 
-    taken: dict[Diagnostic, Diagnostic] = {}
+    consequences: dict[int, list[Diagnostic]] = {}
+    firsts = []
     for each in chosen:
         first = each
         for _ in range(_MOST_STEPS):
             first = before(first)
-        known = taken.get(first) or first._replace(cause=None)
-        taken[first] = known if first is each else _with_consequence(known, each)
-    return list(taken.values())
+        if first is each or before(first) is not first:
+            firsts.append(each)
+        else:
+            consequences.setdefault(id(first), []).append(each)
+    return [_with(each._replace(cause=None), consequences.get(id(each), ())) for each in firsts]
 
 
-def _with_consequence(diagnostic: Diagnostic, other: Diagnostic) -> Diagnostic:
-    """The diagnostic, as severe as one that follows from it, with what consumers do for that."""
+def _with(diagnostic: Diagnostic, consequences: Sequence[Diagnostic]) -> Diagnostic:
+    """The diagnostic, as severe as what follows from it, with what consumers do for that.
+
+    Its fix writes the same where they are about the same name.
+    """
+    if not consequences:
+        return diagnostic
     worst = dict(diagnostic.affects)
-    for consumer, reaction in other.affects:
-        known = worst.setdefault(consumer, reaction)
-        worst[consumer] = max(known, reaction, key=lambda each: _MANNERS.index(each.manner))
-    severity = max(diagnostic.severity, other.severity, key=lambda each: each.rank)
-    labels, fix = diagnostic.labels, diagnostic.fix
-    if other.span.text == diagnostic.span.text:
-        labels = (*labels, Label(other.span, "named here, too"))[: max(_MOST_LABELS, len(labels))]
-        fix = _joined(fix, other.fix)
+    for each in consequences:
+        for consumer, reaction in each.affects:
+            known = worst.setdefault(consumer, reaction)
+            worst[consumer] = max(known, reaction, key=lambda one: _MANNERS.index(one.manner))
+    span = diagnostic.span
+    alike = [each for each in consequences if each.span != span and each.span.text == span.text]
+    new = (Label(each.span, "named here, too") for each in alike)
+    labels = (*diagnostic.labels, *islice(new, max(0, _MOST_LABELS - len(diagnostic.labels))))
+    fix = diagnostic.fix
+    if fix is not None and alike:
+        others = (edit for each in alike if each.fix is not None for edit in each.fix.edits)
+        same = (edit for edit in others if edit.text == fix.edits[0].text)
+        fix = fix._replace(edits=tuple(dict.fromkeys((*fix.edits, *same))))
     return diagnostic._replace(
-        severity=severity, affects=tuple(sorted(worst.items())), labels=labels, fix=fix
+        severity=max(diagnostic, *consequences, key=lambda each: each.severity.rank).severity,
+        affects=tuple(sorted(worst.items())),
+        labels=labels,
+        fix=fix,
     )
 
 
-def _joined(fix: Fix | None, other: Fix | None) -> Fix | None:
-    """The fix that writes the same in two places."""
-    if (
-        fix is None
-        or other is None
-        or {each.text for each in (*fix.edits, *other.edits)} != {fix.edits[0].text}
-    ):
-        return fix
-    return fix._replace(edits=tuple(dict.fromkeys((*fix.edits, *other.edits))))
-
-
 _MANNERS = tuple(Manner)
-
-
 _MOST_STEPS = 4
 """So many findings may follow one from the other."""
 _MOST_LABELS = 4

@@ -58,14 +58,15 @@ def misnamed(element: Element, name: str) -> Span | None:
 
 
 def _misnamed(document: Document) -> dict[Element, dict[str, Span]]:
-    """Element → the names that were meant in it, as far as somebody has asked, each with the place of the last one."""
+    """Element → the names that were meant in it, as far as somebody has asked, each with a place."""
     return {}
 
 
 def _meant(element: Element) -> Iterator[tuple[str, Span]]:
     if (place := definition(element)) is None:
         return
-    for child in element.children():
+    first_of = {child.name: child for child in reversed(list(element.children()))}
+    for child in first_of.values():
         if (name := meant_child(child, place)) is not None:
             yield name, child.span
     for key, text in element.attributes.items():
