@@ -3212,7 +3212,7 @@ class Scope(Namespace):
 
     @lazy
     def lost_names(self) -> frozenset[str]:
-        """Those of the unresolved names for which not the joints are at fault, but what has lost its name."""
+        """Those of the unresolved names that are reported elsewhere: at parts that lost them to the name of another."""
         return lost_names(self, self.unresolved)
 
     @lazy

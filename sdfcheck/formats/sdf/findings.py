@@ -143,7 +143,6 @@ _NEVER_STANDARD = frozenset(("sensor/gz_frame_id", "sensor/ignition_frame_id"))
 # The table allows one, and the consumers take all.
 REPEATABLE = frozenset(("geometry/polyline", "contact/collision", "multicamera/camera", "world/physics"))
 
-_BODIES = ("link", "model")
 _FIVE, _SEVEN = Version(1, 5), Version(1, 7)
 
 
