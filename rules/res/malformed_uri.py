@@ -146,6 +146,6 @@ class MalformedUri(Rule):
 def beside(named: Include | Resource) -> str:
     """The path from the file, if that is what follows the slashes of `package:///` and no package has its name."""
     scheme, _, path = named.uri.partition(":///")
-    if scheme != "package" or ".." in path.split("/"):
+    if scheme != "package" or path.startswith("/") or ".." in path.split("/"):
         return ""
     return path if os.path.isfile(os.path.join(named.document.path.parent, path)) else ""

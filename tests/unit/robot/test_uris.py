@@ -251,3 +251,14 @@ def test_a_file_is_not_another_spelling_of_a_package(tmp_path: Path) -> None:
     (found,) = (each for each in run.diagnostics if each.code.startswith("RES"))
     assert (found.code, found.message) == ("RES001", "`package://a.stl` names a file and no package")
     assert not run.missing
+
+
+def test_nothing_is_looked_up_outside_for_what_may_be_meant(tmp_path: Path) -> None:
+    (tmp_path / "outside.stl").write_text("solid")
+    path = tmp_path / "r.urdf"
+    path.write_text(
+        '<robot name="r"><link name="a"><visual><geometry>'
+        f'<mesh filename="package:///{tmp_path}/outside.stl"/></geometry></visual></link></robot>'
+    )
+    (found,) = (each for each in sdfcheck.lint(path).diagnostics if each.code == "RES004")
+    assert f"did you mean `package:/{tmp_path}/outside.stl`?" in found.message
