@@ -44,7 +44,7 @@ class MistypedPi(Rule):
         *("sdf:pose", "sdf:min_angle", "sdf:max_angle", "sdf:horizontal_fov", "sdf:lower", "sdf:upper"),
         *("urdf:origin", "urdf:limit"),
     )
-    needs = tuple(RIGHT)
+    needs = tuple(dict.fromkeys(wrong[:5] for wrong in RIGHT))
     scaffold = IN_LINK
 
     bad = (

@@ -130,6 +130,7 @@ class Packages:
 
     __slots__ = (
         "_below",
+        "_builds",
         "_called",
         "_folders",
         "_found",
@@ -162,6 +163,7 @@ class Packages:
         self._listed: list[tuple[str, list[str]]] | None = None
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
+        self._builds: dict[Path, Path | None] = {}
         self._own_prefixes: list[Path] | None = None
         self.is_flat = is_flat
 
@@ -177,6 +179,7 @@ class Packages:
     def forget(self) -> None:
         """Look at the files in folders anew when they are asked for next."""
         self._listed = None
+        self._builds.clear()
 
     @property
     def searched(self) -> tuple[Path, ...]:
@@ -226,10 +229,8 @@ class Packages:
         """
         if os.path.exists(path):
             return path
-        for folder in path.parents:
-            lists = folder / "CMakeLists.txt"
-            if not os.path.isfile(lists):
-                continue
+        if (lists := self._lists_above(path.parent)) is not None:
+            folder = lists.parent
             rest = path.relative_to(folder).as_posix()
             for installed, source in self._layout(folder, lists):
                 if rest == installed or rest.startswith(f"{installed}/") or not installed:
@@ -243,7 +244,6 @@ class Packages:
                 and "xacro_add_" in _REMARK.sub("", _read(lists))
             ):
                 return expanded
-            break
         template = path.with_name(path.name + TEMPLATE)
         return template if os.path.isfile(template) else path
 
@@ -356,6 +356,13 @@ class Packages:
                 if os.path.isdir(folder / "share") and os.path.realpath(folder).startswith(real)
             ]
         return [*self._of_environment("AMENT_PREFIX_PATH"), *self._own_prefixes]
+
+    def _lists_above(self, folder: Path) -> Path | None:
+        """The nearest CMakeLists.txt in a folder or above it."""
+        if folder not in self._builds:
+            every = (each / "CMakeLists.txt" for each in (folder, *folder.parents))
+            self._builds[folder] = next(filter(os.path.isfile, every), None)
+        return self._builds[folder]
 
     def _layout(self, folder: Path, lists: Path) -> list[tuple[str, str]]:
         if folder not in self._installed:

@@ -205,7 +205,7 @@ class Resource(FileUse):
         is_inside = location is not None and location.scheme == "package" and location.inside != ""
         if location is None or not is_inside or location.owner is not None:
             return None
-        library, own = library_of(self.document), self.document.view(_own_package)
+        library, own = library_of(self.document), _own_package(self.document)
         if own is None or library is None:
             return None
         places = (location.inside, os.path.join(location.name, location.inside))
@@ -256,7 +256,7 @@ class Unbuilt(NamedTuple):
 
 def unbuilt(document: Document) -> Iterator[Unbuilt]:
     """The faults in the build of a description's package: its own folder is left out, or others are not there."""
-    library, own = library_of(document), document.view(_own_package)
+    library, own = library_of(document), _own_package(document)
     if library is None or own is None:
         return
     absent = library.disk.view(own[0], _absent)
@@ -296,10 +296,15 @@ def _absent(folder: str, disk: Disk) -> tuple[str, str, tuple[str, ...]] | None:
 
 
 def _own_package(document: Document) -> tuple[str, str] | None:
-    """The folder and the name of the package that a document is in."""
+    """The folder and the name of the package that a document is in, where others are looked up."""
+    library = library_of(document)
+    return None if library is None else library.disk.view(os.path.dirname(document.path), _package_with)
+
+
+def _package_with(folder: str, disk: Disk) -> tuple[str, str] | None:
     from sdfcheck.files.packages import package_around
 
-    return package_around(document.path)
+    return package_around(os.path.join(folder, "file"))
 
 
 def resources_of(root: Whole) -> tuple[Resource, ...]:

@@ -396,15 +396,12 @@ _TAB = re.compile(r"^ *\t[ \t]*(?=[\w\"'-])", re.MULTILINE)
 
 def tabs_in_parameters(document: Document) -> Iterator[Span]:
     """The first tab before an entry of each file in YAML of the package of a document that cannot be read for it."""
-    around = package_around(document.path)
     library = library_of(document)
-    if around is not None and library is not None:
+    spans = library.of_project(document.path, _Tabs).spans if library is not None else ()
+    around = package_around(document.path) if spans else None
+    if around is not None:
         folder = os.path.join(around[0], "")
-        yield from (
-            span
-            for span in library.of_project(document.path, _Tabs).spans
-            if os.fspath(span.source.path).startswith(folder)
-        )
+        yield from (span for span in spans if os.fspath(span.source.path).startswith(folder))
 
 
 class _Tabs:
