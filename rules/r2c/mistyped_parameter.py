@@ -68,7 +68,7 @@ class MistypedParameter(Rule):
 
     @staticmethod
     def applies(part: Model | Semantics) -> bool:
-        return bool(part.mistyped) if isinstance(part, Semantics) else any(True for _ in part.mistyped)
+        return any(True for _ in part.mistyped) if isinstance(part, Model) else bool(part.mistyped)
 
     def check(self, part: Model | Semantics) -> Iterator[Diagnostic]:
         if isinstance(part, Semantics):

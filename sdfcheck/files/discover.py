@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.files.regular import oddity
 from sdfcheck.source.errors import WrongUsage
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import relative_path
+from sdfcheck.source.text import pattern, relative_path
 
 if TYPE_CHECKING:
     from sdfcheck.files.git import Ignores, Listing
@@ -24,7 +23,7 @@ _FOREIGN_FOLDERS = frozenset({"__pycache__", "node_modules", "site-packages"})
 # Folders that build tools write, known by what the tools leave in them.
 _BUILD_FOLDERS = frozenset({"build", "devel", "install", "log", "venv"})
 _BUILD_MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE", ".catkin", "CMakeCache.txt", "pyvenv.cfg")
-_REFUSED = re.compile(
+_REFUSED = pattern(
     r"(?:^|/)tests?(?:_?data)?/(?:[^/]*/)*(?:[^/]*[_.-])?"
     r"(?:bad|broken|corrupt|errors?|failing|faulty|illegal|incorrect|invalid|malformed|wrong)"
     r"(?:[_.-][^/]*)?(?:/|$)"

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 
 from sdfcheck.files.regular import MEGABYTE, is_below, is_made_up, names_in, read_regular
+from sdfcheck.source.text import pattern
 
 FOLDER_LIMIT = 20_000
 """So many folders are looked into below one root, no more."""
@@ -16,42 +17,45 @@ FOLDER_LIMIT = 20_000
 _NAMES_LIMIT = 300_000
 """So many names of files of one project are kept."""
 
+_OF_ROS = ("launch", "launch.xml", ".py", ".yaml", ".yml")
+"""How the names of launch files end, and of files of parameters."""
+
 TEMPLATE = ".in"
 """The suffix of a file of which CMake makes the one without it."""
 
-_NAME = re.compile(r"<name>\s*([^<\s]+)\s*</name>")
-_COMMENT = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL)
+_NAME = pattern(r"<name>\s*([^<\s]+)\s*</name>")
+_COMMENT = pattern(r"<!--.*?(?:-->|\Z)", re.DOTALL)
 _FOREIGN = frozenset({"build", "install", "log", "devel", "node_modules", "site-packages", "__pycache__"})
 _BUILT = ("install", "devel", "build")
-_INSTALL = re.compile(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
-_PROJECT = re.compile(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
-_REMARK = re.compile(r"#[^\n]*")
+_INSTALL = pattern(r"\binstall\s*\(\s*(DIRECTORY|FILES|PROGRAMS)\b([^()]*)\)", re.IGNORECASE)
+_PROJECT = pattern(r"\bproject\s*\(\s*([\w.+-]+)", re.IGNORECASE)
+_REMARK = pattern(r"#[^\n]*")
 _PARTS = frozenset(
     {"config", "launch", "materials", "mesh", "meshes", "models", "robots", "stl", "urdf", "worlds", "xacro"}
 )
 """Names of folders that packages have, and that no package has itself."""
-_GATHERED = re.compile(
+_GATHERED = pattern(
     r"foreach|GLOB|\$\{CMAKE_CURRENT_SOURCE_DIR\}/?[\s\")]|DIRECTORY\s+\"?[.$]|INSTALL_TO_SHARE\s+\.|\bwalk\b|\*\*|listdir|"
     r"iterdir|rglob|find_packages?_data|package_files|generate_data_files",
     re.IGNORECASE,
 )
 """Words of a build that gathers folders without their names."""
-_GLOBBED = re.compile(
+_GLOBBED = pattern(
     r"\*\*|\b(?:walk|listdir|scandir|iterdir|rglob|iglob|find_packages?_data|package_files|generate_data_files)\b|"
     r"(?<!\bglob)\.glob\(|\bglob\((?!\s*(?:(?:os\.)?(?:path\.)?join\(\s*)?[rb]?[\"'][\w.])"
 )
 """The same in ``setup.py``, where a pattern is taken for the folder that it begins with."""
-_GUARDED = re.compile(
+_GUARDED = pattern(
     r"\b(?:if|foreach|while|add_custom_command|add_custom_target|configure_file|file|execute_process|include|macro|function)\s*\(",
     re.IGNORECASE,
 )
 """Words of a build that may install a folder under a condition, or make it."""
 _MOST_INSTALLED = 100
 """So many commands of a build that install, and folders in one, are looked at."""
-_TESTED = re.compile(
+_TESTED = pattern(
     r"\bif\s*\(\s*BUILD_TESTING\s*\)(?:(?!\b(?:end)?if\s*\()[\s\S]){0,5000}\bendif\s*\([^)]*\)", re.IGNORECASE
 )
-_MADE = re.compile(r"[$*<>\\]|^/|(?:^|/)\.\.(?:/|$)|^(?:PATTERN|FILES_MATCHING|USE_SOURCE_PERMISSIONS)$")
+_MADE = pattern(r"[$*<>\\]|^/|(?:^|/)\.\.(?:/|$)|^(?:PATTERN|FILES_MATCHING|USE_SOURCE_PERMISSIONS)$")
 PYTHON = ("pyproject.toml", "setup.py", "requirements.txt")
 """One of them is in a project of Python."""
 _STOP = frozenset(
@@ -134,6 +138,7 @@ class Packages:
         "_called",
         "_folders",
         "_found",
+        "_has_ros_files",
         "_installed",
         "_listed",
         "_own_prefixes",
@@ -164,6 +169,7 @@ class Packages:
         self._found: dict[str, Path | None] = {}
         self._installed: dict[Path, list[tuple[str, str]]] = {}
         self._builds: dict[Path, Path | None] = {}
+        self._has_ros_files: bool | None = None
         self._own_prefixes: list[Path] | None = None
         self.is_flat = is_flat
 
@@ -178,7 +184,7 @@ class Packages:
 
     def forget(self) -> None:
         """Look at the files in folders anew when they are asked for next."""
-        self._listed = None
+        self._listed = self._has_ros_files = None
         self._builds.clear()
 
     @property
@@ -247,13 +253,24 @@ class Packages:
         template = path.with_name(path.name + TEMPLATE)
         return template if os.path.isfile(template) else path
 
-    def files(self, suffix: str, limit: int) -> Iterator[Path]:
-        """The project's files of one suffix, at most ``limit``."""
+    @property
+    def has_ros_files(self) -> bool:
+        """Has the project files that may be launch files or parameters of nodes?"""
+        if self._has_ros_files is None:
+            self._has_ros_files = any(
+                name.endswith(_OF_ROS) for _, names in self._listings() for name in names
+            )
+        return self._has_ros_files
+
+    def files(
+        self, suffix: str, limit: int, is_meant: Callable[[str, str], bool] | None = None
+    ) -> Iterator[Path]:
+        """The project's files of one suffix, at most ``limit``; ``is_meant`` chooses by the folder and the name."""
         count = 0
         roots = tuple(os.path.realpath(folder) for folder in self.own)
         for folder, names in self._listings():
             for name in names:
-                if not name.endswith(suffix):
+                if not name.endswith(suffix) or (is_meant is not None and not is_meant(folder, name)):
                     continue
                 path = os.path.join(folder, name)
                 if os.path.islink(path) and not is_below(os.path.realpath(path), roots):

@@ -430,11 +430,10 @@ class _End(NamedTuple):
 def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin]) -> Iterator[BridgeGap]:
     """The sensors and systems of a document whose messages no bridge of the project carries, though one means to."""
     library = library_of(document)
-    ends = [*_of_sensors(sensors), *_of_systems(plugins)] if library is not None else []
-    if library is None or not ends:
+    bridges = library.of_project(document.path, _Bridges) if library is not None else None
+    if bridges is None or not bridges.carried or "" in bridges.unknown:
         return
-    bridges = library.of_project(document.path, _Bridges)
-    if "" in bridges.unknown:
+    if not (ends := [*_of_sensors(sensors), *_of_systems(plugins)]):
         return
     sources = (document.source, *(end.part.element.span.source for end in ends))
     own = {Path(source.real_path) for source in sources} | {absolute(source.path) for source in sources}
@@ -469,11 +468,10 @@ def gaps(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin
 def faults(document: Document, sensors: Iterable[Sensor], plugins: Iterable[Plugin]) -> Iterator[BridgeFault]:
     """The entries of bridges that are not taken, and are for sensors and systems of a document."""
     library = library_of(document)
-    ends = [*_of_sensors(sensors), *_of_systems(plugins)] if library is not None else []
-    if library is None or not ends:
-        return
+    refused = library.of_project(document.path, _Bridges).faults if library is not None else ()
+    ends = [*_of_sensors(sensors), *_of_systems(plugins)] if refused else ()
     found: dict[tuple[Path, str], BridgeFault] = {}
-    for fault in library.of_project(document.path, _Bridges).faults:
+    for fault in refused if ends else ():
         key = fault.span.source.path, fault.kind
         if (first := found.get(key)) is not None:
             found[key] = first._replace(more=first.more + 1)

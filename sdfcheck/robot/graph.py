@@ -3405,7 +3405,7 @@ _DRIVING = ("drive", "controller", "steering", "thruster")
 
 _WITHIN_LIMITS = frozenset({"revolute", "prismatic"})
 """The types of joints that move within limits."""
-_FOUND = re.compile(r"\$\(find [^()]*\)")
+_FOUND = pattern(r"\$\(find [^()]*\)")
 _NAMED_JOINT = r"<joint\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
 """A name where xacro has not expanded it."""
 
@@ -4072,7 +4072,7 @@ class ExtendedModel(Model):
 # Worlds.
 
 
-_GROUND = re.compile(r"(^|/)ground[_ ]plane(/\d+)?/?$", re.IGNORECASE)
+_GROUND = pattern(r"(^|/)ground[_ ]plane(/\d+)?/?$", re.IGNORECASE)
 """The end of the addresses of Gazebo's ground."""
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from sdfcheck.files.library import library_of
 from sdfcheck.robot.part import Part
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 if TYPE_CHECKING:
     from sdfcheck.files.library import Disk
@@ -50,12 +50,12 @@ _PLACES: dict[str, frozenset[str]] = {
 }
 """Elements of SDFormat whose text names a file, and the parents below which it does."""
 
-_NAMES = re.compile(r"[\w.-]+")
+_NAMES = pattern(r"[\w.-]+")
 _LOOKED_UP = ("get_package_share", "FindPackageShare", "$(find")
 """Words by which a launch file looks a file up in the place where packages are installed."""
 _WHAT = {"script": "material script", "skin": "mesh", "audio_source": "sound", "texture": "texture"}
 _TEXTURED = frozenset({"projector", "sky"})
-_SHIPPED = re.compile(r"file://media/.*/|__default__")
+_SHIPPED = pattern(r"file://media/.*/|__default__")
 """The folders that Gazebo Classic brings along, and the word for nothing."""
 _SHIPPED_ACTORS = frozenset(
     f"{name}.dae" for name in "moonwalk run sit_down sitting stand stand_up talk_a talk_b walk".split()

@@ -8,6 +8,7 @@ from itertools import chain
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
+from sdfcheck.files.library import library_of
 from sdfcheck.formats.sdf.survey import survey
 from sdfcheck.formats.version import VERSIONS, Version
 from sdfcheck.robot.graph import (
@@ -319,9 +320,15 @@ class Root(Whole):
         return resources_of(self)
 
     @lazy
+    def has_ros_files(self) -> bool:
+        """Has its project files that may say what ROS starts with it? What reads them is loaded only then."""
+        library = library_of(self.document)
+        return library is not None and library.packages(self.document.path).has_ros_files
+
+    @lazy
     def bridge_gaps(self) -> tuple[BridgeGap, ...]:
         """The sensors and systems whose messages no bridge to ROS of the project carries, though one means to."""
-        if not self.elements.get("sensor") and not self.elements.get("plugin"):
+        if not self.has_ros_files or not (self.elements.get("sensor") or self.elements.get("plugin")):
             return ()
         from sdfcheck.robot.bridges import gaps
 
@@ -336,7 +343,7 @@ class Root(Whole):
     @lazy
     def tabs_in_parameters(self) -> tuple[Span, ...]:
         """A tab in each file of parameters in its package that no program can read for it."""
-        if not any(model.links for model in self.models):
+        if not self.has_ros_files or not any(model.links for model in self.models):
             return ()
         from sdfcheck.robot.ros_files import tabs_in_parameters
 
@@ -372,6 +379,8 @@ class Root(Whole):
     @lazy
     def odometry_filters(self) -> tuple[BaseFrame, ...]:
         """The filters of its project that publish the odometry of a robot in Gazebo, each with the link."""
+        if not self.has_ros_files:
+            return ()
         from sdfcheck.robot.ros_files import odometry_filters
 
         return odometry_filters(self.document)
@@ -379,6 +388,8 @@ class Root(Whole):
     @lazy
     def lost_states(self) -> Span | None:
         """Where a launch file makes transforms of the states of joints, although nothing in its project has these."""
+        if not self.has_ros_files:
+            return None
         from sdfcheck.robot.ros_files import lost_states
 
         return lost_states(self.document)
@@ -386,6 +397,8 @@ class Root(Whole):
     @lazy
     def is_shown_alone(self) -> bool:
         """Is showing it in RViz all that the launch files of its project do?"""
+        if not self.has_ros_files:
+            return False
         from sdfcheck.robot.ros_files import is_shown_alone
 
         return is_shown_alone(self.document)
@@ -410,6 +423,8 @@ class Root(Whole):
     @lazy
     def has_other_states(self) -> bool:
         """May a node that its project starts publish states of joints, or make no transforms of them at all?"""
+        if not self.has_ros_files:
+            return True
         from sdfcheck.robot.ros_files import has_other_states
 
         return has_other_states(self.document)
@@ -417,7 +432,7 @@ class Root(Whole):
     @lazy
     def launched_world(self) -> LaunchedWorld | None:
         """The world of its project in which a launch file creates it, if that is known."""
-        if not any(model.links for model in self.models):
+        if not self.has_ros_files or not any(model.links for model in self.models):
             return None
         from sdfcheck.robot.ros_files import launched_world
 
@@ -426,7 +441,7 @@ class Root(Whole):
     @lazy
     def unbridged_clock(self) -> Span | None:
         """Where a launch file takes the time of Gazebo for the robot, which no bridge of its project carries."""
-        if not any(model.links for model in self.models):
+        if not self.has_ros_files or not any(model.links for model in self.models):
             return None
         from sdfcheck.robot.bridges import unbridged_clock
 
@@ -451,7 +466,7 @@ class Root(Whole):
     @lazy
     def bridge_faults(self) -> tuple[BridgeFault, ...]:
         """The entries of bridges of the project that are not taken, and are for its sensors and systems."""
-        if not self.elements.get("sensor") and not self.elements.get("plugin"):
+        if not self.has_ros_files or not (self.elements.get("sensor") or self.elements.get("plugin")):
             return ()
         from sdfcheck.robot.bridges import faults
 
@@ -461,7 +476,7 @@ class Root(Whole):
     def missing_bases(self) -> tuple[BaseFrame, ...]:
         """The frames that nodes of ROS take for the base of a robot of URDF on wheels, and that its project lacks."""
         robot = self.models[0] if self.is_urdf and self.models else None
-        if robot is None or not robot.is_complete or not robot.tree.roots:
+        if robot is None or not robot.is_complete or not robot.tree.roots or not self.has_ros_files:
             return ()
         if not any(map(_is_wheel, robot.joints)):
             return ()

@@ -363,9 +363,10 @@ def _without_bridges(text: str) -> str:
 def lost_states(document: Document) -> Span | None:
     """Where a project makes transforms of the states of joints, although nothing in it publishes these."""
     library = library_of(document)
-    if library is None or _STATES.search(_without_bridges(document.source.text)) is not None:
+    started = library.of_project(document.path, _States).started if library is not None else None
+    if started is None or _STATES.search(_without_bridges(document.source.text)) is not None:
         return None
-    return library.of_project(document.path, _States).started
+    return started
 
 
 def is_shown_alone(document: Document) -> bool:

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import ast
 import operator
+import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from html import unescape
-from itertools import accumulate, islice
+from itertools import accumulate
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -32,8 +33,6 @@ _FOLDER = "launch"
 """In a folder of this name each program is a launch file, elsewhere one whose name says so."""
 _FILE_LIMIT = 500
 """So many launch files of each kind are read."""
-_NAME_LIMIT = 20_000
-"""So many files of one ending are looked through for launch files."""
 _INCLUDES_DEEP = 4
 _EFFORT = 5_000_000
 """So many characters and names are looked at for all launch files of a project; the rest is not known."""
@@ -216,13 +215,13 @@ class _Launches:
 def launch_texts(packages: Packages) -> Iterator[tuple[Path, str]]:
     """The launch files of a project with their texts, without those that cannot be read."""
     for suffix in _SUFFIXES:
-        for path in islice(filter(_is_launch, packages.files(suffix, _NAME_LIMIT)), _FILE_LIMIT):
+        for path in packages.files(suffix, _FILE_LIMIT, _is_launch):
             with suppress(OSError):
                 yield path, read_regular(path, LONGEST_CODE).decode("utf-8", "replace")
 
 
-def _is_launch(path: Path) -> bool:
-    return path.suffix != ".py" or path.name.endswith("launch.py") or path.parent.name == _FOLDER
+def _is_launch(folder: str, name: str) -> bool:
+    return not name.endswith(".py") or name.endswith("launch.py") or os.path.basename(folder) == _FOLDER
 
 
 def _of_command(command: str, *, is_text: bool, fault: LaunchFault | None = None) -> Iterator[_Use]:
