@@ -72,7 +72,7 @@ class FrameCycle(Rule):
             names = ring.names
             tied = "attached to" if ring.role == "attached_to" else "placed relative to"
             if not others:
-                yield self.diagnostic(first, f"`{names[0]}` is {tied} itself")
+                yield self.diagnostic(first, f"`{names[0]}` is {tied} itself", cause=ring.cause)
                 continue
             shown = [f"`{name}`" for name in names[:_SHOWN]]
             more = ["…"] if len(names) > _SHOWN else []
@@ -82,4 +82,4 @@ class FrameCycle(Rule):
                 value: f"leads on from `{name}`"
                 for value, name in zip(others[: _SHOWN - 1], names[1:], strict=False)
             }
-            yield self.diagnostic(first, message, labels=labels)
+            yield self.diagnostic(first, message, labels=labels, cause=ring.cause)

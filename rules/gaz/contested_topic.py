@@ -136,8 +136,8 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
         if value is None or sensor.topic in UNSAID or "$" in sensor.topic or "{" in sensor.topic:
             continue
         first, other = topics.setdefault((outermost(sensor), sensor.topic), (value, sensor))
-        if other is not sensor and (other.holder, other.name) == (sensor.holder, sensor.name):
-            continue  # it is there twice
+        if other is not sensor and place(other) == place(sensor):
+            continue  # it is there twice, or its link is
         if first is not value and other is not sensor:
             yield first, value, f"{sensor.title} publishes on topic `{sensor.topic}`, as {other.title} does"
         elif sensor.type in CAMERAS and (camera := sensor.find("camera")) is not None:
@@ -152,6 +152,12 @@ def doubled(root: Root) -> Iterator[tuple[Value, Value, str]]:
                     f"{sensor.title} publishes its calibration on `{info}`, as {other.title} does",
                 )
     yield from numbered(root)
+
+
+def place(sensor: Sensor) -> tuple[object, ...]:
+    """The part that a sensor is on, by its name, and its own name."""
+    holder = sensor.holder
+    return (holder.holder, holder.name, sensor.name) if holder is not None else (sensor,)
 
 
 def numbered(root: Root) -> Iterator[tuple[Value, Value, str]]:

@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from math import isfinite
 
 from sdfcheck import IN_JOINT, IN_URDF_JOINT, Bad, Diagnostic, Good, Joint, Limit, Rule, Severity
 from sdfcheck_rules.jnt.inverted_limits import BOUNDED
@@ -64,6 +65,7 @@ class LockedJoint(Rule):
     )
     good = (
         Good(AXIS.format("0", "0"), why="locked on purpose"),
+        Good(AXIS.format("1e400", "1e400"), why="these are too large for numbers"),
         Good(
             '<limit lower="0" upper="0" effort="0" velocity="0"/>',
             scaffold=IN_URDF_JOINT,
@@ -77,7 +79,9 @@ class LockedJoint(Rule):
     @staticmethod
     def applies(limit: Limit) -> bool:
         lower, upper = limit.lower, limit.upper
-        if not (lower.is_given and upper.is_given and lower.number == upper.number):
+        if not (
+            lower.is_given and upper.is_given and lower.number == upper.number and isfinite(lower.number)
+        ):
             return False
         if limit.joint.type not in BOUNDED or limit.axis.limit is not limit:
             return False

@@ -107,7 +107,12 @@ class SeveralParents(Rule):
             labels = {joints[0].child_value or joints[0]: "first a child here"}
             labels |= {joint.child_value or joint: "and here" for joint in further[1:LABELS]}
             place, severity = further[0].child_value or further[0], Severity.ERROR if link.is_urdf else None
-            yield self.diagnostic(place, message, labels=labels, severity=severity, affects=affects)
+            is_twice = sum(each.name == further[0].name for each in joints) > 1
+            name = further[0].element.attribute("name") if is_twice else None
+            cause = None if name is None else name.span
+            yield self.diagnostic(
+                place, message, labels=labels, severity=severity, affects=affects, cause=cause
+            )
 
 
 def further_joints(root: Root) -> Iterator[tuple[Link, list[Joint], list[Joint]]]:

@@ -3229,7 +3229,7 @@ class Scope(Namespace):
     def fault_of(self, name: str) -> Span | None:
         """Where it is reported that nothing has a name: at the part that may have lost it, else where it is first used.
 
-        By the ends of joints before the joints that mimic one.
+        By the ends of joints before the joints that mimic one, then frames, control and plugins.
         """
         count = len(self.unresolved) + (name not in self.unresolved)
         if count <= len(self.nameless):
@@ -3239,13 +3239,18 @@ class Scope(Namespace):
     @lazy
     def _uses(self) -> dict[str, Span]:
         """Name → where the parts of this scope use it first."""
-        mimics = (axis.mimic for joint in self.joints for axis in joint.axes)
-        leaders = (mimic.leader_value for mimic in mimics if mimic is not None)
         found: dict[str, Span] = {name: ends[0].span for name, ends in self.unresolved.items()}
-        for value in leaders:
-            if value is not None:
-                found.setdefault(value.text.strip(), value.span)
+        for value in self._further_uses():
+            found.setdefault(value.text.strip(), value.span)
         return found
+
+    def _further_uses(self) -> Iterator[Value]:
+        """The names that its parts write, beside the ends of joints: of leaders all, else those that nothing has."""
+        mimics = (axis.mimic for joint in self.joints for axis in joint.axes)
+        yield from (
+            mimic.leader_value for mimic in mimics if mimic is not None and mimic.leader_value is not None
+        )
+        yield from self.root.unresolved_frames.get(self, ())
 
     # Parts by name
 
@@ -3389,7 +3394,7 @@ class MaterialNames:
 
 
 Built_co = TypeVar("Built_co", covariant=True)
-_BOOLEANS = frozenset({"", "true", "1", "false", "0"})
+_BOOLEANS = frozenset({"true", "1", "false", "0"})
 
 
 class Builder(Protocol[Built_co]):
@@ -3425,6 +3430,12 @@ class Model(Scope):
         self.include: Element | None = None
         """The ``include`` that brought it, if one did."""
         self.is_urdf = self.element.name == "robot"
+
+    def _further_uses(self) -> Iterator[Value]:
+        yield from super()._further_uses()
+        for part in (*self.ros2_control, *self.transmissions):
+            yield from part.unresolved
+        yield from (each.value for plugin in self.plugins for each in plugin.unresolved if each.node is None)
 
     @lazy
     def control_plugins(self) -> tuple[Plugin, ...]:
@@ -3664,8 +3675,10 @@ class Model(Scope):
     @property
     def may_be_static(self) -> bool:
         """Is it static, or does it say something about that which is neither true nor false?"""
+        if self.is_static or self.misnamed("static"):
+            return True
         value = self.static_value
-        return self.is_static or (value is not None and value.text.lower() not in _BOOLEANS)
+        return value is not None and value.text.strip().lower() not in _BOOLEANS
 
     @property
     def is_included_as_static(self) -> bool:

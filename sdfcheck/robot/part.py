@@ -361,7 +361,7 @@ class Part:
         pose = self.find("pose")
         if pose is None or not pose.content:
             return 0.0, 0.0, 0.0
-        if pose.text_of("relative_to", "").strip():
+        if pose.text_of("relative_to", "").strip() or len(pose.content.split()) < 6:
             return None
         return _three(pose.content)
 
@@ -466,6 +466,15 @@ class Whole(Part):
     def plugins_beside(self) -> dict[object, list[Element]]:
         """Its plugins by what they are in, and those of blocks of URDF by what these are about."""
         return grouped(self.elements.get("plugin", ()), beside_of)
+
+    @lazy
+    def unresolved_frames(self) -> dict[object, list[Value]]:
+        """World or model → the references to frames in it that lead nowhere."""
+        lost = (each for each in self.each("FrameReference") if each.is_unresolved)
+        found: dict[object, list[Value]] = {}
+        for reference in lost:
+            found.setdefault(reference.scope, []).append(reference.value)
+        return found
 
     def class_of(self, holder: Part, element: Element) -> type[Part]:
         """The class of the part that an element in a part makes."""

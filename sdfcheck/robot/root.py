@@ -728,6 +728,8 @@ class FrameCycle(Record):
     role: str
     members: tuple[Value, ...]
     names: tuple[str, ...]
+    cause: Span | None
+    """The place of a misspelled pose or reference without which there may be no ring."""
 
 
 def rings(root: Root) -> tuple[FrameCycle, ...]:
@@ -808,4 +810,10 @@ def _ring(role: str, nodes: list[Node], path: Mapping[Node, Value | None]) -> Fr
         return None  # it is reported in its own file
     first = min(own, key=lambda at: members[at][0].span.start)
     members = members[first:] + members[:first]
-    return FrameCycle(role, tuple(value for value, _ in members), tuple(name for _, name in members))
+    cause = next(filter(None, map(_misspelled_reference, nodes)), None)
+    return FrameCycle(role, tuple(value for value, _ in members), tuple(name for _, name in members), cause)
+
+
+def _misspelled_reference(node: Node) -> Span | None:
+    pose = node.pose_element
+    return node.misnamed("pose") if pose is None else node.part(pose).misnamed("relative_to")

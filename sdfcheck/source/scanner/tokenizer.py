@@ -79,6 +79,8 @@ class _Tokenizer:
         self.doubtful: list[tuple[int, int]] = []
         self.entities: list[str] = []
         self.odd_ends: list[int] = []
+        self.odd_names: set[str] = set()
+        """The names of the start tags that are broken: their end tags have the same fault."""
         self.has_document_type = False
         self.defects = 0
         self.known: dict[str, tuple[int, int]] = {}
@@ -146,6 +148,7 @@ class _Tokenizer:
         for problem in problems:
             self.note(problem)
         self.doubtful.append((at, tag.end))
+        self.odd_names.add(tag.name)
         self.pieces.append(
             Token(TokenKind.EMPTY if tag.empty else TokenKind.START, at, tag.end, tag.name, tag)
         )
@@ -188,10 +191,12 @@ class _Tokenizer:
         elif odd[2].strip() or odd[3] == "/>":
             start = odd.start(2) + len(odd[2]) - len(odd[2].lstrip())
             self.defect(SyntaxKind.CROWDED_END_TAG, start, end - 1, odd[1])
-        elif odd[1]:
+        elif odd[1] and odd.start(1) > at + 2:
             self.defect(SyntaxKind.BLANK_IN_TAG, at, name_end, f"/{odd[1]}")
-        else:
+        elif not odd[1]:
             self.defect(SyntaxKind.MALFORMED_NAME, at, end)
+        elif odd[1] not in self.odd_names:
+            self.defect(SyntaxKind.MALFORMED_NAME, odd.start(1), name_end)
         self.odd_ends.append(at)
         self.pieces.append(Token(TokenKind.END, at, end, odd[1]))
         return end

@@ -30,6 +30,7 @@ SYSTEM = '<plugin filename="gz-sim-{}-system" name="gz::sim::systems::{}"/>'
 INERTIAL = (
     "<inertial><mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia></inertial>"
 )
+BALL = '<collision name="c"><geometry><sphere><radius>0.15</radius></sphere></geometry></collision>'
 WORLD = (
     f'<sdf version="1.10"><world name="w"><frame name="gate"/>{SYSTEM.format("physics", "Physics")}'
     f'{SYSTEM.format("imu", "Imu")}<model name="m" canonical_link="base"><pose relative_to="gate"/>'
@@ -98,6 +99,21 @@ def test_a_material(tmp_path: Path) -> None:
         ("gz-sim-imu-system", "gz-sim-imusystem", "RES015"),
         ('filename="gz-sim-imu-system"', 'filenam="gz-sim-imu-system"', "NS001"),
         ('filename="gz-sim-physics-system"', 'filenam="gz-sim-physics-system"', "NS001"),
+        ('name="lifts" type', 'name="lift" type', "FRM001"),
+        ('<pose relative_to="base"/>', '<poses relative_to="base"/>', "NS002"),
+        ('<pose relative_to="base"/>', '<pose relative_too="base"/>', "NS001"),
+        (
+            f"{INERTIAL}</link>",
+            f"{INERTIAL.replace('<mass>', '<pose>9 0 0</pose><mass>')}{BALL}</link>",
+            "SCH013",
+        ),
+        (
+            "<model",
+            f'<model name="floor"><statik>true</statik><link name="l">{BALL}</link></model><model',
+            "NS002",
+        ),
+        ("<model", f'<model name="floor"><static/><link name="l">{BALL}</link></model><model', "SCH011"),
+        ("<child>arm</child>", "<child>arm</child><2nd>1</2nd>", "XML001"),
     ],
 )
 def test_a_world(right: str, wrong: str, code: str, tmp_path: Path) -> None:

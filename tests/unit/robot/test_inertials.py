@@ -86,7 +86,7 @@ def test_the_trace_of_the_solids_of_a_link(inside: str, trace: float | None) -> 
     assert math.isnan(found) if trace is None else found == pytest.approx(trace)
 
 
-@pytest.mark.parametrize(("static", "may_be"), [("true", True), ("ture", True), ("0", False), ("", False)])
+@pytest.mark.parametrize(("static", "may_be"), [("true", True), ("ture", True), ("0", False), ("", True)])
 def test_parts_that_may_be_static(static: str, may_be: bool) -> None:
     assert inertial("<inertial/>", f"<static>{static}</static>").link.may_be_static is may_be
 
