@@ -60,7 +60,8 @@ class UnusedMacroParameter(Rule):
             problem.literal,
         )
         if fixed is None:
-            yield self.diagnostic(problem.span, message, severity=Severity.INFO if problem.is_free else None)
+            severity = Severity.INFO if problem.is_free else None
+            yield self.diagnostic(problem.span, message, severity=severity, cause=problem.cause)
             return
         message = f"`{fixed.element.name}` is always {fixed.text.strip()}: {message}"
         labels = {problem.span: "the parameter"}

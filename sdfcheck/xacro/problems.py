@@ -322,6 +322,7 @@ class UnusedMacroParameter(Record):
     """A parameter that its macro's body does not read; ``literal`` is the text of an element there of that name.
 
     ``is_free``: no call in the project gives it a value, or several files define the macro, for callers to choose one.
+    ``cause`` is the place of a misspelled name that may mean it.
     """
 
     span: Span
@@ -329,6 +330,7 @@ class UnusedMacroParameter(Record):
     macro: str
     literal: Value | None = None
     is_free: bool = False
+    cause: Span | None = None
 
 
 class XacroIncludeCycle(Record):

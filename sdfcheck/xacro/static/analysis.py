@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
@@ -48,6 +48,7 @@ from sdfcheck.xacro.problems import (
 from sdfcheck.xacro.static.definitions import (
     Call,
     Definitions,
+    Expression,
     Include,
     Macro,
     element_problems,
@@ -452,16 +453,32 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Unu
 
 
 def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Problem]:
+    expressions_in: dict[Element | None, list[Expression]] = {}
+    for found in reading(document).expressions:
+        expressions_in.setdefault(found.macro, []).append(found)
     for macro in reading(document).macros:
         unread = [
             each for each in macro.parameters if not _is_read(each.name.lstrip("*"), macro, visible, set())
         ]
         literals = _literals_in(macro) if unread else {}
+        unknown = _unknown_uses(expressions_in.get(macro.element, ()), macro, visible) if unread else {}
         for parameter in unread:
             span, literal = parameter_place(macro, parameter), literals.get(_plain(parameter.name))
             is_free = definer(document, "macro", macro.name) is None
             is_free |= not any(passed(document, macro.name, parameter.name.lstrip("*")))
-            yield UnusedMacroParameter(span, parameter.name, macro.name, literal, is_free)
+            meant = nearest(parameter.name, unknown, document) if unknown else None
+            cause = None if meant is None else unknown[meant]
+            yield UnusedMacroParameter(span, parameter.name, macro.name, literal, is_free, cause)
+
+
+def _unknown_uses(found: Iterable[Expression], macro: Macro, visible: Definitions) -> dict[str, Span]:
+    """The names in the expressions of a macro's body that nothing defines, each with its first place."""
+    known = {each.name for each in macro.parameters}.union(visible.properties, SYMBOLS)
+    uses: dict[str, Span] = {}
+    for each in found:
+        for name in sorted(free_names(each.code) - known - uses.keys()):
+            uses[name] = place(each.element, each.attribute, f"${{{each.code}}}", name)
+    return uses
 
 
 def _literals_in(macro: Macro) -> dict[str, Value]:

@@ -130,6 +130,14 @@ def test_a_misspelled_element(name: str, tmp_path: Path) -> None:
     assert codes(text, tmp_path / "r.urdf") == ["URD001"]
 
 
+def test_a_misspelled_parameter(tmp_path: Path) -> None:
+    macro = '<xacro:macro name="m" params="side"><link name="${{{}}}"/></xacro:macro><xacro:m side="a"/>'
+    text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{macro}</robot>'
+    assert codes(text.format("side"), tmp_path / "r.urdf.xacro") == []
+    assert codes(text.format("sidee"), tmp_path / "r.urdf.xacro") == ["XAC004"]
+    assert codes(text.format("other"), tmp_path / "r.urdf.xacro") == ["XAC009", "XAC004"]
+
+
 def test_it_does_what_follows_from_it(tmp_path: Path) -> None:
     path = tmp_path / "r.urdf"
     head, _, rest = ROBOT.rpartition("<inertial>")
