@@ -154,14 +154,18 @@ class UnknownJointEnd(Rule):
         if others:
             message += f" (named {1 + len(others)} times)"
         if meant is None:
-            return self._absent(joint, value, message)._replace(cause=cause)
+            return self._absent(joint, value, message)._replace(
+                cause=cause, repeats=tuple(end.span for end in others)
+            )
         is_deeper = meant.endswith(f"::{name}")
         message += f"; in a nested model there is `{meant}`" if is_deeper else ""
         edits = tuple(TextEdit(end.span, meant) for end in (value, *others))
         fix = make_fix(f"write `{meant}`", edits, unsafe=True)
         question = None if is_deeper else meant
         affects = _affects(joint, value)
-        return self.diagnostic(value, message, meant=question, fix=fix, affects=affects, cause=cause)
+        return self.diagnostic(
+            value, message, meant=question, fix=fix, affects=affects, cause=cause, repeats=others
+        )
 
     def _absent(self, joint: Joint, value: Value, message: str) -> Diagnostic:
         affects, advice, is_meant = _affects(joint, value), None, False

@@ -161,9 +161,12 @@ def _lint_variants(
 
     def new(arguments: Mapping[str, str]) -> list[Diagnostic] | None:
         found = _errors_with(arguments, document, robot, dispatch, expander)
-        return found and [each for each in found if _where(each) not in seen]
+        return found and [
+            each for each in found if _where(each) not in seen and _where(each)[1:] not in repeated
+        ]
 
     seen = set(map(_where, known))
+    repeated = {(span.source.path, span.start) for each in known for span in each.repeats}
     most = min(_MOST_VARIANTS, _MOST_ELEMENTS // len(robot.elements))
     values = dict(islice(other_values(document), most))
     together = new(values) if values else []

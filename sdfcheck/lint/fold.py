@@ -36,6 +36,7 @@ def settle(diagnostics: Iterable[Diagnostic], document: ExpandedDocument, file: 
             span=span,
             labels=tuple(label for label in labels if label.span != span),
             origins=diagnostic.origins or origins,
+            repeats=tuple(map(document.written, diagnostic.repeats)),
         )
         settled.append(moved)
     return [*_at_values(_once_a_way(settled), file)]
@@ -214,6 +215,10 @@ def _with(diagnostic: Diagnostic, consequences: Sequence[Diagnostic]) -> Diagnos
         affects=tuple(sorted(worst.items())),
         labels=labels,
         fix=fix,
+        repeats=(
+            *diagnostic.repeats,
+            *(place for each in consequences for place in (each.span, *each.repeats)),
+        ),
     )
 
 
