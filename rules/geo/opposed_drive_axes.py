@@ -96,7 +96,7 @@ class OpposedDriveAxes(Rule):
     @staticmethod
     def applies(part: Plugin | ControlComponent) -> bool:
         if isinstance(part, Plugin):
-            return bool(opposed(part) or hanging(part) or backward(part))
+            return bool(opposed(part) or hanging(part) or backward(part) or sideways(part))
         return turned(part) is not None
 
     def check(self, part: Plugin | ControlComponent) -> Iterator[Diagnostic]:
@@ -124,6 +124,9 @@ class OpposedDriveAxes(Rule):
                 f"the axes of `{one.name}` and `{other.name}` point to the right: {drive.title} goes backwards",
                 labels={other.axis.xyz: "the other axis", plugin: f"this {drive.title.split()[0]}"},
             )
+        for drive in sideways(plugin)[:1]:
+            what = f"{drive.title} drives along y, and takes x for ahead"
+            yield self.diagnostic(drive.left.joint.axis.xyz, f"the wheels turn about x: {what}", labels={plugin: "this drive"})
         for joint in hanging(plugin)[:1]:
             message = f"the axis of `{joint.name}` {down}"
             yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
@@ -143,6 +146,11 @@ def turned(component: ControlComponent) -> Joint | None:
 def backward(plugin: Plugin) -> list[Drive]:
     """The drives whose wheels all turn about axes that point to the right of the robot."""
     return [drive for drive in plugin.drives if drive.is_backward]
+
+
+def sideways(plugin: Plugin) -> list[Drive]:
+    """The drives whose wheels all roll along y."""
+    return [drive for drive in plugin.drives if drive.is_sideways]
 
 
 def hanging(plugin: Plugin) -> list[Joint]:

@@ -1244,6 +1244,11 @@ class Joint(Node):
             return None
 
     @property
+    def wheel_radius(self) -> float:
+        """The radius (m) of the one round shape of the link that it turns; nan where that has another number."""
+        return wheel_radius(self)
+
+    @property
     def direction(self) -> Triple | None:
         """The direction of its first axis in its model, of length 1, with all joints at zero; None if not known."""
         xyz = self.axis.xyz
@@ -2280,7 +2285,7 @@ class Drive(NamedTuple):
     base: Element | None
     """The parameter of the distance of the axles."""
     has_sides: bool
-    """Is left the left side? The drive of ROS 1 has the sides exchanged unless ``legacyMode`` is false."""
+    """Is left the left side? The drive of ROS 1 has the sides exchanged, up to Kinetic, where ``legacyMode`` is true."""
     title: str
     file: Element | None = None
     """The parameter that names the file in which the others are, if they are in one."""
@@ -2361,6 +2366,11 @@ class Drive(NamedTuple):
         return is_turned and all(
             left.position[1] > right.position[1] + _NEAR for left, right in product(self.lefts, self.rights)
         )
+
+    @property
+    def is_sideways(self) -> bool:
+        """Do the wheels roll along y, in the frame of the model?"""
+        return all(abs(wheel.axis[0]) > 0.9 for wheel in self.wheels)
 
     @property
     def written_radius(self) -> float:
@@ -2539,7 +2549,7 @@ def drive_of(plugin: Plugin) -> Drive | None:
         return None
     radius, separation = _only(given, (*_RADIUS, *_DIAMETER)), _only(given, _SEPARATION)
     turned = tuple(wheel for side in steering for wheel in side)
-    has_sides = "leftJoint" not in given or (plugin.get("legacyMode") or "").strip() in {"false", "0"}
+    has_sides = (plugin.get("legacyMode") or "").strip() not in {"true", "1"}
     steered = turned if len(turned) == 2 else ()
     title = f"drive `{plugin.name}`"
     return Drive(lefts, rights, steered, separation, radius, _only(given, _BASE), has_sides, title)

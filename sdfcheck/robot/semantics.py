@@ -47,7 +47,6 @@ _CLOSE = 1e-3
 """So far apart (rad or m), a joint and its place are the same."""
 _IN = 0.1
 """Of the surface of a link: so much may be inside of another one where the points are few."""
-_MOST_ON_ONE = 20
 _TOUCH = 0.002
 """m: fingers that are closed touch, and numbers are rounded."""
 _MOST_STATES, _MOST_MOVED, _MOST_JOINTS, _MOST_COMPARED = 20, 60, 500, 50
@@ -356,24 +355,26 @@ class Semantics:
             if above is not None and self._is_checked(above, link) and not above.distance_to(link):
                 yield above, link
 
-    @property
-    def unlisted_siblings(self) -> Iterator[tuple[Link, Link]]:
-        """Links on one other that are in each other where their joints are at 0, and whose collisions stay on.
+    @lazy
+    def unlisted_overlaps(self) -> tuple[tuple[Link, Link], ...]:
+        """Links that are in each other with all joints at 0, and whose collisions stay on; no neighbors.
 
-        The pairs of both with the other one are off.
+        The collisions of both with other links are off.
         """
         robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
         if robot is None or any(self._unfound):
-            return
-        on_one: dict[str, list[Link]] = {}
-        for link in robot.links:
-            above = _parent(link) if link.collisions and _rests_at_zero(link) else None
-            if above is not None and frozenset((link.name, above.name)) in self._pairs_off:
-                on_one.setdefault(above.name, []).append(link)
-        for links in on_one.values():
-            for one, other in combinations(links[:_MOST_ON_ONE], 2):
-                if self._is_checked(one, other) and not one.distance_to(other) and one.is_in(other, _IN):
-                    yield one, other
+            return ()
+        listed = frozenset[str]().union(*self._pairs_off)
+        solid = [link for link in robot.links if link.collisions and link.name in listed]
+        neighbors = {frozenset(pair) for pair in self.unlisted_neighbors}
+        near = (
+            (one, other)
+            for one, other in combinations(filter(_rests_at_zero, solid[:_MOST_MOVED]), 2)
+            if frozenset((one, other)) not in neighbors
+            and self._is_checked(one, other)
+            and not one.distance_to(other)
+        )
+        return tuple((one, other) for one, other in islice(near, _MOST_COMPARED) if one.is_in(other, _IN))
 
     @property
     def colliding_states(self) -> Iterator[tuple[Value, Link, Link]]:
@@ -397,7 +398,7 @@ class Semantics:
             or len(robot.joints) > _MOST_JOINTS
         ):
             return
-        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_siblings)}
+        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_overlaps)}
         above = _moving_above(robot)
         pairs = [
             (one, other, above[one] ^ above[other])
@@ -747,13 +748,20 @@ def _near(one: Link, other: Link, poses: Mapping[Link, Origin]) -> Mapping[Link,
 
 
 def _rests_at_zero(link: Link) -> bool:
-    """Is its joint at 0 where MoveIt starts?"""
-    joint = link.parent_joints[0] if len(link.parent_joints) == 1 else None
-    mimic = joint.axis.mimic if joint is not None and joint.axis_count == 1 else None
-    if joint is None or joint.axis_count != 1 or (mimic is not None and mimic.offset.number != 0):
-        return False
-    low, high = joint.axis.limit.range
-    return low <= 0 <= high
+    """Are the joints above it at 0 where MoveIt starts?"""
+    passed, at = {link}, link
+    while len(at.parent_joints) == 1:
+        joint = at.parent_joints[0]
+        mimic = joint.axis.mimic if joint.axis_count == 1 else None
+        low, high = joint.axis.limit.range if joint.axis_count == 1 else (0.0, 0.0)
+        if not low <= 0 <= high or (mimic is not None and mimic.offset.number != 0):
+            return False
+        above = joint.parent_link
+        if above is None or above in passed:
+            break
+        passed.add(above)
+        at = above
+    return True
 
 
 def _has_acceleration(joint: Joint) -> bool:
