@@ -42,11 +42,11 @@ CAR = {
 
 
 class OpposedDriveAxes(Rule):
-    """The wheels of a drive turn in opposite directions or backwards, or its steering turns the other way.
+    """The wheels of a drive turn in opposite directions, backwards or across, or its steering turns the other way.
 
     The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
-    and drives on the command to turn. Where the axes of all point to the right, it drives backwards. It steers to the
-    left by positive angles: about an axis that points down they steer to the right. So do the controllers of
+    and drives on the command to turn. Where the axes of all point to the right, it drives backwards; where they are
+    along x, it drives along y, and its odometry says x. It steers to the left by positive angles: about an axis that points down they steer to the right. So do the controllers of
     ros2_control that steer, where a plugin names their file.
     """
 
@@ -76,6 +76,11 @@ class OpposedDriveAxes(Rule):
             rover(axis="0 -1 0").replace('axis xyz="0 1 0"', 'axis xyz="«0 -1 0»"'),
             says="the axes of `left_joint` and `right_joint` point to the right: drive `gz::sim::systems::DiffDrive`"
             " goes backwards",
+        ),
+        Bad(
+            rover(axis="1 0 0").replace('axis xyz="0 1 0"', 'axis xyz="«1 0 0»"'),
+            says="the wheels turn about x: drive `gz::sim::systems::DiffDrive` goes along y, and takes x for ahead",
+            also=("GEO013",),
         ),
         Bad(
             steered(left="«0 0 -1»", right="0 0 -1"),
@@ -125,8 +130,8 @@ class OpposedDriveAxes(Rule):
                 labels={other.axis.xyz: "the other axis", plugin: f"this {drive.title.split()[0]}"},
             )
         for drive in sideways(plugin)[:1]:
-            what = f"{drive.title} drives along y, and takes x for ahead"
-            yield self.diagnostic(drive.left.joint.axis.xyz, f"the wheels turn about x: {what}", labels={plugin: "this drive"})
+            message = f"the wheels turn about x: {drive.title} goes along y, and takes x for ahead"
+            yield self.diagnostic(drive.left.joint.axis.xyz, message, labels={plugin: "drives them"})
         for joint in hanging(plugin)[:1]:
             message = f"the axis of `{joint.name}` {down}"
             yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
