@@ -7,6 +7,7 @@ from sdfcheck_rules.geo.scaffolds import rover
 FOOTPRINT = "base_footprint"
 LEAST, SHARE = 0.005, 0.1
 """So far off (m, and of the radius of a wheel) does not count."""
+TINY = 1e-6
 LEVEL = 0.1
 """The z component of an axis that is level."""
 
@@ -85,7 +86,8 @@ def off_floor(model: Model) -> tuple[Link, Joint, float] | None:
     if all(dist(places[0], place) < low[0].wheel_radius for place in places):
         return None
     height = min((height for height, _ in ends[: len(low)]), key=abs)
-    return (link, low[0], height) if abs(height) > max(LEAST, SHARE * low[0].wheel_radius) else None
+    least = max(LEAST, SHARE * low[0].wheel_radius)
+    return (link, low[0], height) if abs(height) > least + TINY else None
 
 
 def rolls(joint: Joint) -> bool:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
+from sdfcheck import Bad, ControlComponent, Diagnostic, Drive, Good, Joint, Link, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 STEERED = "".join(
@@ -35,6 +35,23 @@ CONTROLLED = (
     + '</ros2_control><gazebo><plugin filename="gz_ros2_control-system" '
     'name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>car.yaml</parameters></plugin></gazebo></robot>'
 )
+AHEAD_ALONG_Y = (
+    rover(axis="-1 0 0")
+    .replace('xyz="0 0.17 0"', 'xyz="-0.17 0 0"')
+    .replace('xyz="0 -0.17 0"', 'xyz="0.17 0 0"')
+    .replace("1.5708 0 0", "0 1.5708 0")
+    .replace('axis xyz="0 1 0"', 'axis xyz="{1}"')
+    .replace('<link name="base"/>', '<link name="base"/>{0}')
+)
+TURNED_BASE = (
+    '<link name="base_link"/><joint name="b" type="fixed"><origin rpy="0 0 1.5708"/><parent link="base"/>'
+    '<child link="base_link"/></joint>'
+)
+BASES = ("base_link", "base_footprint")
+UNTURNED = 0.9
+"""The x component of the x axis of a frame."""
+FRAMES = ("robotBaseFrame", "robot_base_frame", "child_frame_id")
+"""The parameters that name the frame of the base."""
 CAR = {
     "car.yaml": "car: {ros__parameters: {type: ackermann_steering_controller/AckermannSteeringController, "
     "front_wheels_names: [left_steer, right_steer]}}\n"
@@ -78,9 +95,8 @@ class OpposedDriveAxes(Rule):
             " goes backwards",
         ),
         Bad(
-            rover(axis="1 0 0").replace('axis xyz="0 1 0"', 'axis xyz="«1 0 0»"'),
+            AHEAD_ALONG_Y.format("", "«-1 0 0»"),
             says="the wheels turn about x: drive `gz::sim::systems::DiffDrive` goes along y, and takes x for ahead",
-            also=("GEO013",),
         ),
         Bad(
             steered(left="«0 0 -1»", right="0 0 -1"),
@@ -95,6 +111,10 @@ class OpposedDriveAxes(Rule):
     good = (
         Good(rover()),
         Good(steered(left="0 0 1", right="0 0 1")),
+        Good(
+            AHEAD_ALONG_Y.format(TURNED_BASE, "-1 0 0"),
+            why="the frame of its base is turned as well",
+        ),
         Good(CONTROLLED.format("0 0 1", "0 0 1"), files=CAR),
     )
 
@@ -154,8 +174,13 @@ def backward(plugin: Plugin) -> list[Drive]:
 
 
 def sideways(plugin: Plugin) -> list[Drive]:
-    """The drives whose wheels all roll along y."""
-    return [drive for drive in plugin.drives if drive.is_sideways]
+    """The drives whose wheels all roll along y, where the frame of their base is not turned."""
+    found = [drive for drive in plugin.drives if drive.is_sideways]
+    model = found[0].left.joint.model if found else None
+    named = (plugin.get(name) or "" for name in FRAMES)
+    bases = [model.resolve(name.strip()) for name in (*named, *BASES)] if model is not None else []
+    frames = [base.at_rest for base in bases if isinstance(base, Link) and base.at_rest is not None]
+    return found if all(frame.rotation[0][0] > UNTURNED for frame in frames) else []
 
 
 def hanging(plugin: Plugin) -> list[Joint]:

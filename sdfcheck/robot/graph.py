@@ -2369,8 +2369,9 @@ class Drive(NamedTuple):
 
     @property
     def is_sideways(self) -> bool:
-        """Do the wheels roll along y, in the frame of the model?"""
-        return all(abs(wheel.axis[0]) > 0.9 for wheel in self.wheels)
+        """Are the wheels of both sides apart along x, and roll along y, in the frame of the model?"""
+        is_apart = abs(self.distance) > 0.9 * math.dist(self.left.position, self.right.position)
+        return is_apart and all(abs(wheel.axis[0]) > 0.9 for wheel in self.wheels)
 
     @property
     def written_radius(self) -> float:
