@@ -6,7 +6,8 @@ HYDRODYNAMICS = "gz-sim-hydrodynamics-system"
 ALONG = ("xDotU", "yDotV", "zDotW")
 DIAGONAL = (*ALONG, "kDotP", "mDotQ", "nDotR")
 HULL = (
-    '<link name="l"><inertial><mass>25</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>{}</inertial></link>'
+    '<link name="l"><inertial><mass>25</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia>'
+    "{}</inertial></link>"
 )
 IN_WATER = (
     f'<plugin filename="{HYDRODYNAMICS}" name="gz::sim::systems::Hydrodynamics"><link_name>l</link_name>'
@@ -44,7 +45,7 @@ class UnstableAddedMass(Rule):
         ),
         Bad(
             HULL.format(MOVED) + IN_WATER.format("<xDotU>«-9»</xDotU>"),
-            says="`xDotU` is added to the `fluid_added_mass` of link `l`: that of the water is counted twice",
+            says="`xDotU` is added to the `fluid_added_mass` of link `l`: the water is counted twice",
         ),
     )
     good = (
@@ -66,16 +67,21 @@ class UnstableAddedMass(Rule):
         assert found is not None
         parameter, link, mass = found
         value = parameter.own_value
-        message = f"`{parameter.name}` is added to the `fluid_added_mass` of {link.title}: that of the water is counted twice"
+        what, then = f"is added to the `fluid_added_mass` of {link.title}", "the water is counted twice"
         if mass:
-            message = f"`{parameter.name}` is {value.text.strip()} kg, and {link.model.title} weighs {mass:.4g} kg"
-            message += ": the force of the added mass grows with each step"
+            what = f"is {value.text.strip()} kg, and {link.model.title} weighs {mass:.4g} kg"
+            then = "the force of the added mass grows with each step"
+        message = f"`{parameter.name}` {what}: {then}"
         yield self.diagnostic(value, message)
 
 
 def added(plugin: Plugin) -> tuple[Element, Link, float] | None:
-    """The first added mass that is too much, its link, and the mass of its model (kg), 0 where that is no matter."""
-    if plugin.known is None or plugin.known.file != HYDRODYNAMICS or (plugin.get("disable_added_mass") or "").strip() in {"true", "1"}:
+    """The first added mass that is too much, its link, and the mass of its model (kg); 0 if counted twice."""
+    if (
+        plugin.known is None
+        or plugin.known.file != HYDRODYNAMICS
+        or (plugin.get("disable_added_mass") or "").strip() in {"true", "1"}
+    ):
         return None
     link = next((each.node for each in plugin.references if isinstance(each.node, Link)), None)
     given = [each for name in DIAGONAL if (each := plugin.find(name)) is not None and each.own_value.number]

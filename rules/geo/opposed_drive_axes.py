@@ -47,6 +47,8 @@ TURNED_BASE = (
     '<link name="base_link"/><joint name="b" type="fixed"><origin rpy="0 0 1.5708"/><parent link="base"/>'
     '<child link="base_link"/></joint>'
 )
+COUNTING = frozenset(("gz-sim", "gz_ros2_control", "gazebo_ros2_control"))
+"""Generations whose drives work their odometry out from the wheels; those of Classic know where the robot is."""
 BASES = ("base_link", "base_footprint")
 UNTURNED = 0.9
 """The x component of the x axis of a frame."""
@@ -63,8 +65,9 @@ class OpposedDriveAxes(Rule):
 
     The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
     and drives on the command to turn. Where the axes of all point to the right, it drives backwards; where they are
-    along x, it drives along y, and its odometry says x. It steers to the left by positive angles: about an axis that points down they steer to the right. So do the controllers of
-    ros2_control that steer, where a plugin names their file.
+    along x, it drives along y, and its odometry says x. It steers to the left by positive angles: about an axis that
+    points down they steer to the right. So do the controllers of ros2_control that steer, where a plugin names their
+    file.
     """
 
     code = "GEO010"
@@ -174,7 +177,9 @@ def backward(plugin: Plugin) -> list[Drive]:
 
 
 def sideways(plugin: Plugin) -> list[Drive]:
-    """The drives whose wheels all roll along y, where the frame of their base is not turned."""
+    """The drives that count the turns of wheels which all roll along y, where the frame of their base is not turned."""
+    if plugin.known is None or plugin.known.generation not in COUNTING:
+        return []
     found = [drive for drive in plugin.drives if drive.is_sideways]
     model = found[0].left.joint.model if found else None
     named = (plugin.get(name) or "" for name in FRAMES)

@@ -45,7 +45,9 @@ class RefusedPluginValue(Rule):
         Bad(ODOMETRY.format("«4»"), says="is `4`, and may be `2` or `3`"),
         Bad(BATTERY.format("«0»"), says="is `0`, and may be more than 0"),
         Bad(
-            ODOMETRY.format("3").replace("</plugin>", "<odom_frame><«name»>odom</name></odom_frame></plugin>"),
+            ODOMETRY.format("3").replace(
+                "</plugin>", "<odom_frame><«name»>odom</name></odom_frame></plugin>"
+            ),
             says="reads `odom_frame` as text, and there is element `name`",
         ),
     )

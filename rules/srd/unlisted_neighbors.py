@@ -4,9 +4,7 @@ from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 SOLID = '<collision><geometry><box size="0.1 0.1 0.3"/></geometry></collision>'
-JOINT = (
-    '<joint name="{0}" type="continuous"><origin xyz="0 0 {3}"/><parent link="{1}"/><child link="{2}"/></joint>'
-)
+JOINT = '<joint name="{0}" type="continuous"><origin xyz="0 0 {3}"/><parent link="{1}"/><child link="{2}"/></joint>'
 ROBOT = {
     "arm.urdf": '<robot name="arm">'
     + "".join(f'<link name="{name}">{SOLID}</link>' for name in ("base", "upper", "hand"))

@@ -1246,7 +1246,12 @@ class Joint(Node):
     @property
     def wheel_radius(self) -> float:
         """The radius (m) of the one round shape of the link that it turns; nan where that has another number."""
-        return wheel_radius(self)
+        link = self.child_link
+        shapes = (link.collisions or link.visuals) if link is not None else ()
+        geometry = shapes[0].geometry if len(shapes) == 1 else None
+        if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
+            return math.nan
+        return float(geometry.radius)
 
     @property
     def direction(self) -> Triple | None:
@@ -2285,7 +2290,7 @@ class Drive(NamedTuple):
     base: Element | None
     """The parameter of the distance of the axles."""
     has_sides: bool
-    """Is left the left side? The drive of ROS 1 has the sides exchanged, up to Kinetic, where ``legacyMode`` is true."""
+    """Is left the left side? Where ``legacyMode`` is true, the drive of ROS Kinetic has the sides exchanged."""
     title: str
     file: Element | None = None
     """The parameter that names the file in which the others are, if they are in one."""
@@ -2583,17 +2588,7 @@ def _wheel(model: Model, name: Element | Parameter) -> Wheel | None:
     joint = model.joints_by_name.get(name.content.strip())
     if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
         return None
-    return Wheel(name, joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
-
-
-def wheel_radius(joint: Joint) -> float:
-    """The radius (m) of the one round shape of the link that a joint turns; nan where it has another number of them."""
-    link = joint.child_link
-    shapes = (link.collisions or link.visuals) if link is not None else ()
-    geometry = shapes[0].geometry if len(shapes) == 1 else None
-    if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
-        return math.nan
-    return float(geometry.radius)
+    return Wheel(name, joint, joint.at_rest.position, joint.direction, joint.wheel_radius)
 
 
 # Actuation of the joints of a URDF robot.

@@ -51,6 +51,8 @@ _TOUCH = 0.002
 """m: fingers that are closed touch, and numbers are rounded."""
 _MOST_STATES, _MOST_MOVED, _MOST_JOINTS, _MOST_COMPARED = 20, 60, 500, 50
 """States, links, joints, and pairs of surfaces, that are looked at for collisions."""
+_MOST_BETWEEN = 3
+"""Joints between two parts of a gripper."""
 _MOST_SENT = 50
 """So many controllers of MoveIt are compared with the groups."""
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
@@ -357,20 +359,23 @@ class Semantics:
 
     @lazy
     def unlisted_overlaps(self) -> tuple[tuple[Link, Link], ...]:
-        """Links that are in each other with all joints at 0, and whose collisions stay on; no neighbors.
+        """Links near one another that are in each other with all joints at 0, and whose collisions stay on.
 
-        The collisions of both with other links are off.
+        The collisions of both with other links are off. Neighbors are left out, and what is farther along an arm or on
+        another one, for that may start elsewhere.
         """
         robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
-        if robot is None or any(self._unfound):
+        if robot is None or any(self._unfound) or len(robot.joints) > _MOST_JOINTS:
             return ()
-        listed = frozenset[str]().union(*self._pairs_off)
-        solid = [link for link in robot.links if link.collisions and link.name in listed]
+        listed, above = frozenset[str]().union(*self._pairs_off), _moving_above(robot)
+        solid = [link for link in robot.links if link.collisions and link.name in listed and link in above]
         neighbors = {frozenset(pair) for pair in self.unlisted_neighbors}
         near = (
             (one, other)
-            for one, other in combinations(filter(_rests_at_zero, solid[:_MOST_MOVED]), 2)
-            if frozenset((one, other)) not in neighbors
+            for one, other in combinations(solid[:_MOST_MOVED], 2)
+            if _are_beside(above[one], above[other])
+            and frozenset((one, other)) not in neighbors
+            and all(_rests_at_zero(robot.joints_by_name[name]) for name in above[one] ^ above[other])
             and self._is_checked(one, other)
             and not one.distance_to(other)
         )
@@ -747,21 +752,19 @@ def _near(one: Link, other: Link, poses: Mapping[Link, Origin]) -> Mapping[Link,
     return {one: poses[one], other: pose._replace(position=(x, y, z))}
 
 
-def _rests_at_zero(link: Link) -> bool:
-    """Are the joints above it at 0 where MoveIt starts?"""
-    passed, at = {link}, link
-    while len(at.parent_joints) == 1:
-        joint = at.parent_joints[0]
-        mimic = joint.axis.mimic if joint.axis_count == 1 else None
-        low, high = joint.axis.limit.range if joint.axis_count == 1 else (0.0, 0.0)
-        if not low <= 0 <= high or (mimic is not None and mimic.offset.number != 0):
-            return False
-        above = joint.parent_link
-        if above is None or above in passed:
-            break
-        passed.add(above)
-        at = above
-    return True
+def _are_beside(one: frozenset[str], other: frozenset[str]) -> bool:
+    """Is there one joint between two links at most, of those above them, or a few, and none is above the other?"""
+    between = len(one ^ other)
+    return between <= 1 or (between <= _MOST_BETWEEN and not (one <= other or other <= one))
+
+
+def _rests_at_zero(joint: Joint) -> bool:
+    """Is a joint at 0 where MoveIt starts?"""
+    mimic = joint.axis.mimic if joint.axis_count == 1 else None
+    if joint.axis_count != 1 or (mimic is not None and mimic.offset.number != 0):
+        return False
+    low, high = joint.axis.limit.range
+    return low <= 0 <= high
 
 
 def _has_acceleration(joint: Joint) -> bool:

@@ -3062,9 +3062,9 @@ PROBLEMS = {
             "bot.urdf": robot(
                 ARM,
                 "".join(
-                    f'<link name="{name}">{MASS}<collision><geometry><box size="0.03 0.04 0.06"/></geometry></collision>'
-                    f'</link><joint name="{name}_joint" type="{kind}"><parent link="upper"/><child link="{name}"/>'
-                    f'<origin xyz="0 {y} 0.44"/><axis xyz="1 0 0"/>'
+                    f'<link name="{name}">{MASS}<collision><geometry><box size="0.03 0.04 0.06"/></geometry>'
+                    f'</collision></link><joint name="{name}_joint" type="{kind}"><parent link="upper"/>'
+                    f'<child link="{name}"/><origin xyz="0 {y} 0.44"/><axis xyz="1 0 0"/>'
                     '<limit lower="0" upper="1" effort="5" velocity="1"/></joint>\n'
                     for name, kind, y in (("one", "revolute", 0.012), ("two", "fixed", -0.012))
                 ),
@@ -3088,7 +3088,7 @@ PROBLEMS = {
         "GEO010",
         robot(
             '<link name="body"/><link name="base_link">'
-            + BODY
+            + MASS
             + '</link><joint name="b" type="fixed"><parent link="body"/>'
             '<child link="base_link"/>\n<origin rpy="0 0 @@"/></joint>',
             "".join(
@@ -3102,7 +3102,7 @@ PROBLEMS = {
         ),
         "0",
         "1.5708",
-        2,
+        1,
     ),
     "the wheels of a robot without a drive are above its footprint": Problem(
         "GEO024",
@@ -3209,6 +3209,7 @@ PROBLEMS = {
         ),
         'type="revolute"><limit lower="-1.57" upper="1.57" effort="9" velocity="9"/>',
         'type="continuous">',
+        1,
     ),
     "a joint names its own model": Problem(
         "JNT001",
