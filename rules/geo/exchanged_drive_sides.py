@@ -56,9 +56,8 @@ class ExchangedDriveSides(Rule):
         Good(rover()),
         Good(car(base="0.5")),
         Good(
-            OF_ROS_1.format("right_joint", "left_joint")
-            + "<legacyMode>true</legacyMode></plugin></gazebo></robot>",
-            why="for Kinetic",
+            OF_ROS_1.format("right_joint", "left_joint", "<legacyMode>true</legacyMode>"),
+            why="ROS Kinetic turns them back",
         ),
         Good(
             rover(axis="0 -1 0").replace('axis xyz="0 1 0"', 'axis xyz="0 -1 0"'),
