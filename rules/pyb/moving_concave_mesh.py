@@ -4,9 +4,11 @@ from sdfcheck import Bad, Diagnostic, Element, Good, Link, Rule, Severity
 
 BODY = '<inertial><mass value="{}"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
 ROBOT = (
-    f'<robot name="r"><link name="base">{BODY}<collision{{}}><geometry><mesh filename="a.stl"/></geometry></collision>'
+    f'<robot name="r"><link name="base">{BODY}<collision{{}}><geometry><mesh filename="a.obj"/></geometry></collision>'
     "</link></robot>"
 )
+
+FILES = {"a.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"}
 
 
 class MovingConcaveMesh(Rule):
@@ -36,12 +38,13 @@ class MovingConcaveMesh(Rule):
     bad = (
         Bad(
             ROBOT.format(2, ' «concave»="yes"'),
+            files=FILES,
             says="the mesh of link `base` touches neither planes nor other meshes in PyBullet, and the link moves",
         ),
     )
     good = (
-        Good(ROBOT.format(0, ' concave="yes"'), why="it stands still"),
-        Good(ROBOT.format(2, "")),
+        Good(ROBOT.format(0, ' concave="yes"'), files=FILES, why="it stands still"),
+        Good(ROBOT.format(2, ""), files=FILES),
     )
 
     @staticmethod
