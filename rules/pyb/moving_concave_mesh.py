@@ -8,7 +8,7 @@ ROBOT = (
     "</link></robot>"
 )
 
-FILES = {"a.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"}
+FILES = {"a.obj": "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"}
 
 
 class MovingConcaveMesh(Rule):
