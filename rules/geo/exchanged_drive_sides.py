@@ -3,13 +3,20 @@ from collections.abc import Iterator
 from sdfcheck import Bad, Diagnostic, Good, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import car, controlled, controllers, rover
 
+OF_ROS_1 = rover().partition("<gazebo>")[0] + (
+    '<gazebo><plugin filename="libgazebo_ros_diff_drive.so" name="d"><leftJoint>{}</leftJoint>'
+    "<rightJoint>{}</rightJoint><odometryFrame>odom</odometryFrame><robotBaseFrame>base</robotBaseFrame>"
+    "{}</plugin></gazebo></robot>"
+)
+
 
 class ExchangedDriveSides(Rule):
     """The left wheel of a drive is on the right, or a front wheel at the back.
 
     The plugin or controller turns and steers the wheels by their names alone: with the sides exchanged the robot turns
     right on the command to turn left, and its odometry says the opposite. Left is where the axes of the wheels point
-    to, for positive speeds drive forwards.
+    to, for positive speeds drive forwards. Up to ROS Kinetic the plugin itself exchanged the sides, and robots of that
+    time name them so; where `legacyMode` is true, nothing is said.
     """
 
     code = "GEO009"
@@ -29,6 +36,10 @@ class ExchangedDriveSides(Rule):
             says="`left_joint` names `right_joint`, which is 0.34 m to the right of `left_joint`",
         ),
         Bad(
+            OF_ROS_1.format("«right_joint»", "left_joint", ""),
+            says="`leftJoint` names `right_joint`, which is 0.34 m to the right of `left_joint`",
+        ),
+        Bad(
             controlled(rover(), "«parameters»"),
             files=controllers(left="right", right="left"),
             says="`left_wheel_names` of `c.yaml` names `right_joint`, which is 0.34 m to the right",
@@ -44,6 +55,10 @@ class ExchangedDriveSides(Rule):
     good = (
         Good(rover()),
         Good(car(base="0.5")),
+        Good(
+            OF_ROS_1.format("right_joint", "left_joint", "<legacyMode>true</legacyMode>"),
+            why="ROS Kinetic turns them back",
+        ),
         Good(
             rover(axis="0 -1 0").replace('axis xyz="0 1 0"', 'axis xyz="0 -1 0"'),
             why="the axes are turned, not the sides: opposed-drive-axes owns this one",

@@ -1,12 +1,15 @@
 from collections.abc import Iterator
-from math import isfinite
+from math import dist
 
-from sdfcheck import Bad, Diagnostic, Good, Link, Plugin, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Joint, Link, Model, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import rover
 
 FOOTPRINT = "base_footprint"
 LEAST, SHARE = 0.005, 0.1
 """So far off (m, and of the radius of a wheel) does not count."""
+TINY = 1e-6
+LEVEL = 0.1
+"""The z component of an axis that is level."""
 
 
 def on_floor(z: str) -> str:
@@ -20,8 +23,8 @@ class HoveringFootprint(Rule):
     """The frame `base_footprint` of a robot on wheels is not on the floor.
 
     It is the projection of the robot onto the floor: navigation and filters of obstacles take its z = 0 for the
-    ground, and a robot whose root it is hovers or sticks in the floor where it is put into a world. By the wheels of
-    its drive the floor is elsewhere.
+    ground, and a robot whose root it is hovers or sticks in the floor where it is put into a world. By its lowest
+    wheels, which turn without end about level axes, the floor is elsewhere.
     """
 
     code = "GEO024"
@@ -32,7 +35,8 @@ class HoveringFootprint(Rule):
     The origin of the joint between it and `base_link` is as high as the radius of a wheel, less the height of the axle
     in `base_link`.
     """
-    looks_at = (Plugin,)
+    looks_at = (Model,)
+    needs = (FOOTPRINT,)
     scaffold = "{}"
     sources = ("https://www.ros.org/reps/rep-0120.html",)
 
@@ -54,29 +58,40 @@ class HoveringFootprint(Rule):
     )
 
     @staticmethod
-    def applies(plugin: Plugin) -> bool:
-        return plugin.drive is not None and off_floor(plugin) is not None
+    def applies(model: Model) -> bool:
+        return off_floor(model) is not None
 
-    def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
-        found = off_floor(plugin)
+    def check(self, model: Model) -> Iterator[Diagnostic]:
+        found = off_floor(model)
         assert found is not None
-        link, height = found
+        link, wheel, height = found
         where = "below" if height > 0 else "above"
         message = f"{link.title} is {abs(height) * 1000:.3g} mm {where} the lowest points of the wheels"
-        yield self.diagnostic(link, message, labels={plugin: "this drive"})
+        yield self.diagnostic(link, message, labels={wheel: "turns one of them"})
 
 
-def off_floor(plugin: Plugin) -> tuple[Link, float] | None:
-    """The footprint of the robot of a drive, and how far above it the wheels end (m), where that is not 0."""
-    drive = plugin.drive
-    model = drive.left.joint.model if drive is not None else None
-    link = model.resolve(FOOTPRINT) if model is not None else None
-    if drive is None or not isinstance(link, Link) or link.at_rest is None or link.shapes:
+def off_floor(model: Model) -> tuple[Link, Joint, float] | None:
+    """The footprint of a robot, the joint of a wheel, and how far above the one the other ends (m), where not 0."""
+    link = model.resolve(FOOTPRINT) if model.is_urdf else None
+    if not isinstance(link, Link) or link.at_rest is None or link.shapes or link.parent_joints:
         return None
-    if not link.is_urdf or link.parent_joints:
+    floor = link.at_rest.position[2]
+    ends = sorted(
+        (joint.at_rest.position[2] - joint.wheel_radius - floor, number)
+        for number, joint in enumerate(model.joints)
+        if joint.at_rest is not None and rolls(joint)
+    )
+    low = [model.joints[number] for height, number in ends if height - ends[0][0] < LEAST]
+    places = [joint.at_rest.position for joint in low if joint.at_rest is not None]
+    if all(dist(places[0], place) < low[0].wheel_radius for place in places):
         return None
-    heights = [wheel.position[2] - wheel.radius - link.at_rest.position[2] for wheel in drive.wheels]
-    if not all(map(isfinite, heights)) or max(heights) - min(heights) > LEAST:
-        return None
-    height = min(heights, key=abs)
-    return (link, height) if abs(height) > max(LEAST, SHARE * drive.left.radius) else None
+    height = min((height for height, _ in ends[: len(low)]), key=abs)
+    least = max(LEAST, SHARE * low[0].wheel_radius)
+    return (link, low[0], height) if abs(height) > least + TINY else None
+
+
+def rolls(joint: Joint) -> bool:
+    """Is it that of a wheel: does it turn something round without end about a level axis?"""
+    if joint.type != "continuous" or joint.direction is None or not joint.wheel_radius > 0:
+        return False
+    return abs(joint.direction[2]) < LEVEL

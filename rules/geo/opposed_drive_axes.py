@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
+from sdfcheck import Bad, ControlComponent, Diagnostic, Drive, Good, Joint, Link, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 STEERED = "".join(
@@ -35,6 +35,25 @@ CONTROLLED = (
     + '</ros2_control><gazebo><plugin filename="gz_ros2_control-system" '
     'name="gz_ros2_control::GazeboSimROS2ControlPlugin"><parameters>car.yaml</parameters></plugin></gazebo></robot>'
 )
+AHEAD_ALONG_Y = (
+    rover(axis="-1 0 0")
+    .replace('xyz="0 0.17 0"', 'xyz="-0.17 0 0"')
+    .replace('xyz="0 -0.17 0"', 'xyz="0.17 0 0"')
+    .replace("1.5708 0 0", "0 1.5708 0")
+    .replace('axis xyz="0 1 0"', 'axis xyz="{1}"')
+    .replace('<link name="base"/>', '<link name="base"/>{0}')
+)
+TURNED_BASE = (
+    '<link name="base_link"/><joint name="b" type="fixed"><origin rpy="0 0 1.5708"/><parent link="base"/>'
+    '<child link="base_link"/></joint>'
+)
+COUNTING = frozenset(("gz-sim", "gz_ros2_control", "gazebo_ros2_control"))
+"""Generations whose drives work their odometry out from the wheels; those of Classic know where the robot is."""
+BASES = ("base_link", "base_footprint")
+UNTURNED = 0.9
+"""The x component of the x axis of a frame."""
+FRAMES = ("robotBaseFrame", "robot_base_frame", "child_frame_id")
+"""The parameters that name the frame of the base."""
 CAR = {
     "car.yaml": "car: {ros__parameters: {type: ackermann_steering_controller/AckermannSteeringController, "
     "front_wheels_names: [left_steer, right_steer]}}\n"
@@ -42,12 +61,13 @@ CAR = {
 
 
 class OpposedDriveAxes(Rule):
-    """The wheels of a drive turn in opposite directions or backwards, or its steering turns the other way.
+    """The wheels of a drive turn in opposite directions, backwards or across, or its steering turns the other way.
 
     The plugin gives both wheels the same speed to drive straight on. With opposite axes the robot spins on its place,
-    and drives on the command to turn. Where the axes of all point to the right, it drives backwards. It steers to the
-    left by positive angles: about an axis that points down they steer to the right. So do the controllers of
-    ros2_control that steer, where a plugin names their file.
+    and drives on the command to turn. Where the axes of all point to the right, it drives backwards; where they are
+    along x, it drives along y, and its odometry says x. It steers to the left by positive angles: about an axis that
+    points down they steer to the right. So do the controllers of ros2_control that steer, where a plugin names their
+    file.
     """
 
     code = "GEO010"
@@ -78,6 +98,10 @@ class OpposedDriveAxes(Rule):
             " goes backwards",
         ),
         Bad(
+            AHEAD_ALONG_Y.format("", "«-1 0 0»"),
+            says="the wheels turn about x: drive `gz::sim::systems::DiffDrive` goes along y, and takes x for ahead",
+        ),
+        Bad(
             steered(left="«0 0 -1»", right="0 0 -1"),
             says="the axis of `left_steer` points down: a command to turn left steers to the right",
         ),
@@ -90,13 +114,17 @@ class OpposedDriveAxes(Rule):
     good = (
         Good(rover()),
         Good(steered(left="0 0 1", right="0 0 1")),
+        Good(
+            AHEAD_ALONG_Y.format(TURNED_BASE, "-1 0 0"),
+            why="the frame of its base is turned as well",
+        ),
         Good(CONTROLLED.format("0 0 1", "0 0 1"), files=CAR),
     )
 
     @staticmethod
     def applies(part: Plugin | ControlComponent) -> bool:
         if isinstance(part, Plugin):
-            return bool(opposed(part) or hanging(part) or backward(part))
+            return bool(opposed(part) or hanging(part) or backward(part) or sideways(part))
         return turned(part) is not None
 
     def check(self, part: Plugin | ControlComponent) -> Iterator[Diagnostic]:
@@ -124,6 +152,9 @@ class OpposedDriveAxes(Rule):
                 f"the axes of `{one.name}` and `{other.name}` point to the right: {drive.title} goes backwards",
                 labels={other.axis.xyz: "the other axis", plugin: f"this {drive.title.split()[0]}"},
             )
+        for drive in sideways(plugin)[:1]:
+            message = f"the wheels turn about x: {drive.title} goes along y, and takes x for ahead"
+            yield self.diagnostic(drive.left.joint.axis.xyz, message, labels={plugin: "drives them"})
         for joint in hanging(plugin)[:1]:
             message = f"the axis of `{joint.name}` {down}"
             yield self.diagnostic(joint.axis.xyz, message, labels={plugin: "this drive"})
@@ -143,6 +174,18 @@ def turned(component: ControlComponent) -> Joint | None:
 def backward(plugin: Plugin) -> list[Drive]:
     """The drives whose wheels all turn about axes that point to the right of the robot."""
     return [drive for drive in plugin.drives if drive.is_backward]
+
+
+def sideways(plugin: Plugin) -> list[Drive]:
+    """The drives that count the turns of wheels which all roll along y, where the frame of their base is not turned."""
+    if plugin.known is None or plugin.known.generation not in COUNTING:
+        return []
+    found = [drive for drive in plugin.drives if drive.is_sideways]
+    model = found[0].left.joint.model if found else None
+    named = (plugin.get(name) or "" for name in FRAMES)
+    bases = [model.resolve(name.strip()) for name in (*named, *BASES)] if model is not None else []
+    frames = [base.at_rest for base in bases if isinstance(base, Link) and base.at_rest is not None]
+    return found if all(frame.rotation[0][0] > UNTURNED for frame in frames) else []
 
 
 def hanging(plugin: Plugin) -> list[Joint]:

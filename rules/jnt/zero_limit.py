@@ -29,11 +29,12 @@ def hand(*efforts: str) -> str:
 
 
 class ZeroLimit(Rule):
-    """The effort and the velocity of a joint are limited to zero, or the velocity alone.
+    """The effort and the velocity of a joint are limited to zero, or one of them alone.
 
     Exporters write 0 where nobody has entered a number. Controllers, planners and programs that read the limits, as
     those for PyBullet and Isaac do, take it as the limit that it is; a joint that only swings freely is not affected.
-    A velocity of 0 beside an effort does not count for MoveIt, which then cannot time a motion unless
+    An effort of 0 beside a velocity is reported where a joint of nearly the same name has one: many robots have none at
+    all. A velocity of 0 beside an effort does not count for MoveIt, which then cannot time a motion unless
     `joint_limits.yaml` has a limit, and keeps the joint still in Drake; it is reported where most joints of the robot
     have a velocity. Where the counterparts of a joint have other limits (the same joint of the other side, or of the
     other fingers), 0 is a mistake and a warning, also if it is one of the two alone. Where something drives the joint,
@@ -69,6 +70,11 @@ class ZeroLimit(Rule):
             says="velocity of joint `lift` is limited to 0",
         ),
         Bad(
+            hand("1", "«0»", "0").replace('upper="1" effort="0"', 'upper="0" effort="0"'),
+            scaffold="{}",
+            says="effort of joint `ring_flex` is limited to 0",
+        ),
+        Bad(
             hand("1", "«0»", "1"),
             scaffold="{}",
             says="effort of joint `ring_flex` is limited to 0, and that of joint `index_flex` to 1",
@@ -76,7 +82,7 @@ class ZeroLimit(Rule):
     )
     good = (
         Good(SLOW.format("0").replace('"2"', '"0"'), scaffold="{}", why="nobody wrote a velocity"),
-        Good(hand("0", "0", "1"), scaffold="{}", why="passive, as others are"),
+        Good(hand("-1", "0", "-1"), scaffold="{}", why="nobody wrote an effort"),
         Good("<axis><xyz>0 0 1</xyz><limit><effort>-1</effort></limit></axis>", why="no limit"),
         Good("<axis><xyz>0 0 1</xyz><limit><effort>0</effort></limit></axis>", why="passive, in Drake"),
         Good('<limit lower="0" upper="0" effort="0" velocity="0"/>', why="locked", scaffold=IN_URDF_JOINT),
@@ -89,7 +95,12 @@ class ZeroLimit(Rule):
             return False
         if limit.axis.limit is not limit or limit.joint.driver is not None:
             return False
-        return len(found) > 1 or is_slow(limit, found) or unlike(limit, found) is not None
+        return (
+            len(found) > 1
+            or is_slow(limit, found)
+            or is_weak(limit, found)
+            or unlike(limit, found) is not None
+        )
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         found = zeros(limit)
@@ -112,6 +123,16 @@ def is_slow(limit: Limit, found: Mapping[str, Number]) -> bool:
         return False
     model = limit.joint.model
     return model is not None and model.mostly_has_speeds
+
+
+def is_weak(limit: Limit, found: Mapping[str, Number]) -> bool:
+    """Is the effort alone 0, in URDF, beside a velocity, where a joint of nearly the same name has one?"""
+    if "effort" not in found or not limit.joint.is_urdf or not limit.velocity > 0:
+        return False
+    efforts = (
+        other.axis.limit.effort for group in alike(limit.joint) for other in group if other.type in LIMITED
+    )
+    return any(effort.is_given and effort > 0 for effort in efforts)
 
 
 def is_locked(limit: Limit) -> bool:

@@ -1,6 +1,6 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Good, Plugin, Rule, Severity, named
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Element, Good, Plugin, Rule, Severity, named
 
 MOTOR = (
     '<link name="w"/><joint name="j" type="revolute"><parent>base</parent><child>w</child>'
@@ -20,9 +20,10 @@ BATTERY = (
 
 
 class RefusedPluginValue(Rule):
-    """A parameter of a plugin of Gazebo has a value that the plugin refuses.
+    """A parameter of a plugin of Gazebo has a value that the plugin refuses, or elements for a value.
 
-    It reports an error, and takes another value or stays off.
+    It reports an error, and takes another value or stays off. Of a parameter that is text or a number it reads the text
+    alone: with an element inside, as some parameters of the same plugin have it, that is blank.
     """
 
     code = "RES027"
@@ -43,6 +44,12 @@ class RefusedPluginValue(Rule):
         ),
         Bad(ODOMETRY.format("«4»"), says="is `4`, and may be `2` or `3`"),
         Bad(BATTERY.format("«0»"), says="is `0`, and may be more than 0"),
+        Bad(
+            ODOMETRY.format("3").replace(
+                "</plugin>", "<odom_frame><«name»>odom</name></odom_frame></plugin>"
+            ),
+            says="reads `odom_frame` as text, and there is element `name`",
+        ),
     )
     good = (
         Good(MOTOR.format("ccw")),
@@ -56,13 +63,26 @@ class RefusedPluginValue(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return next(plugin.refused_values, None) is not None
+        return any(True for _ in plugin.refused_values) or any(True for _ in nested(plugin))
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for value, allowed in plugin.refused_values:
             name = value.attribute or value.element.name
             message = f"`{name}` of {plugin.title} is `{value.text.strip()}`, and may be {words(allowed)}"
             yield self.diagnostic(value, message)
+        for parameter, child in nested(plugin):
+            message = f"{plugin.title} reads `{parameter.name}` as text, and there is element `{child.name}`"
+            yield self.diagnostic(child, message, help=f"write the value into `{parameter.name}` itself")
+
+
+def nested(plugin: Plugin) -> Iterator[tuple[Element, Element]]:
+    """The parameters that are a single value and have elements, and the first of these."""
+    facts = plugin.known
+    plain = facts.parameters - facts.repeatable if facts is not None else frozenset[str]()
+    for parameter in plugin.parameters if plain else ():
+        child = next(iter(parameter.children()), None)
+        if child is not None and parameter.name in plain:
+            yield parameter, child
 
 
 def words(allowed: str) -> str:

@@ -4,14 +4,14 @@ from sdfcheck import Bad, Diagnostic, Good, Rule, Semantics, Severity
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 SOLID = '<collision><geometry><box size="0.1 0.1 0.3"/></geometry></collision>'
-JOINT = '<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/></joint>'
+JOINT = '<joint name="{0}" type="continuous"><origin xyz="0 0 {3}"/><parent link="{1}"/><child link="{2}"/></joint>'
 ROBOT = {
     "arm.urdf": '<robot name="arm">'
     + "".join(f'<link name="{name}">{SOLID}</link>' for name in ("base", "upper", "hand"))
     + '<link name="flange"/>'
-    + JOINT.format("shoulder", "base", "upper")
-    + JOINT.format("elbow", "upper", "flange")
-    + JOINT.format("wrist", "flange", "hand")
+    + JOINT.format("shoulder", "base", "upper", 0.3)
+    + JOINT.format("elbow", "upper", "flange", 0.3)
+    + JOINT.format("wrist", "flange", "hand", 0)
     + "</robot>",
     "package.xml": "<package><name>arm</name></package>",
 }
@@ -21,7 +21,8 @@ FINGER = (
     + '</link><joint name="{0}_joint" type="prismatic"><origin xyz="0 {1} 0"/><parent link="hand"/>'
     '<child link="{0}"/><axis xyz="0 1 0"/><limit lower="{2}" upper="0.2" effort="9" velocity="1"/></joint>'
 )
-APART = '<child link="upper"/><origin xyz="0 0 1"/>'
+NEAR = '<origin xyz="0 0 0.3"/><parent link="base"/>'
+APART = '<origin xyz="0 0 1"/><parent link="base"/>'
 OFF = '<{} link1="{}" link2="{}" reason="Adjacent"/>'
 OTHER = OFF.format("disable_collisions", "hand", "upper")
 ALL = (
@@ -51,9 +52,9 @@ class UnlistedNeighbors(Rule):
     MoveIt looks for collisions between all links but the pairs that `disable_collisions` lists, neighbors too. The
     shapes of two links with a joint between them nearly always touch there, so that every state of the robot is one
     in collision, and no motion can be planned. Its setup assistant lists all neighbors, also those with links without
-    collisions between them; one that is missing was added to the robot later, or its link renamed. So do two fingers
-    that overlap where the gripper is closed, or links that are in each other in a named state: MoveIt refuses it as a
-    start and as a goal.
+    collisions between them; one that is missing was added to the robot later, or its link renamed. So do other
+    links that are in each other with all joints at 0, as the fingers of a closed gripper are, or in a named state:
+    MoveIt refuses it as a start and as a goal.
     """
 
     code = "SRD012"
@@ -104,7 +105,7 @@ class UnlistedNeighbors(Rule):
         Good(
             OTHER,
             file=FILE,
-            files=ROBOT | {"arm.urdf": ROBOT["arm.urdf"].replace('<child link="upper"/>', APART)},
+            files=ROBOT | {"arm.urdf": ROBOT["arm.urdf"].replace(NEAR, APART)},
             why="they are apart",
         ),
         Good(
@@ -129,14 +130,14 @@ class UnlistedNeighbors(Rule):
 
     @staticmethod
     def applies(semantics: Semantics) -> bool:
-        found = (semantics.unlisted_neighbors, semantics.unlisted_siblings, semantics.colliding_states)
+        found = (semantics.unlisted_neighbors, semantics.unlisted_overlaps, semantics.colliding_states)
         return any(True for each in found for _ in each)
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         *_, last = semantics.adjacent_pairs
         for pairs, what in (
             (semantics.unlisted_neighbors, "are neighbors"),
-            (semantics.unlisted_siblings, "are in each other with all joints at 0"),
+            (semantics.unlisted_overlaps, "are in each other with all joints at 0"),
         ):
             for (one, other), *others in filter(None, [list(pairs)]):
                 message = (

@@ -1244,6 +1244,16 @@ class Joint(Node):
             return None
 
     @property
+    def wheel_radius(self) -> float:
+        """The radius (m) of the one round shape of the link that it turns; nan where that has another number."""
+        link = self.child_link
+        shapes = (link.collisions or link.visuals) if link is not None else ()
+        geometry = shapes[0].geometry if len(shapes) == 1 else None
+        if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
+            return math.nan
+        return float(geometry.radius)
+
+    @property
     def direction(self) -> Triple | None:
         """The direction of its first axis in its model, of length 1, with all joints at zero; None if not known."""
         xyz = self.axis.xyz
@@ -2280,7 +2290,7 @@ class Drive(NamedTuple):
     base: Element | None
     """The parameter of the distance of the axles."""
     has_sides: bool
-    """Is left the left side? The drive of ROS 1 has the sides exchanged unless ``legacyMode`` is false."""
+    """Is left the left side? Where ``legacyMode`` is true, the drive of ROS Kinetic has the sides exchanged."""
     title: str
     file: Element | None = None
     """The parameter that names the file in which the others are, if they are in one."""
@@ -2361,6 +2371,12 @@ class Drive(NamedTuple):
         return is_turned and all(
             left.position[1] > right.position[1] + _NEAR for left, right in product(self.lefts, self.rights)
         )
+
+    @property
+    def is_sideways(self) -> bool:
+        """Are the wheels of both sides apart along x, and roll along y, in the frame of the model?"""
+        is_apart = abs(self.distance) > 0.9 * math.dist(self.left.position, self.right.position)
+        return is_apart and all(abs(wheel.axis[0]) > 0.9 for wheel in self.wheels)
 
     @property
     def written_radius(self) -> float:
@@ -2539,7 +2555,7 @@ def drive_of(plugin: Plugin) -> Drive | None:
         return None
     radius, separation = _only(given, (*_RADIUS, *_DIAMETER)), _only(given, _SEPARATION)
     turned = tuple(wheel for side in steering for wheel in side)
-    has_sides = "leftJoint" not in given or (plugin.get("legacyMode") or "").strip() in {"false", "0"}
+    has_sides = (plugin.get("legacyMode") or "").strip() not in {"true", "1"}
     steered = turned if len(turned) == 2 else ()
     title = f"drive `{plugin.name}`"
     return Drive(lefts, rights, steered, separation, radius, _only(given, _BASE), has_sides, title)
@@ -2572,17 +2588,7 @@ def _wheel(model: Model, name: Element | Parameter) -> Wheel | None:
     joint = model.joints_by_name.get(name.content.strip())
     if joint is None or joint.axis_count != 1 or joint.at_rest is None or joint.direction is None:
         return None
-    return Wheel(name, joint, joint.at_rest.position, joint.direction, wheel_radius(joint))
-
-
-def wheel_radius(joint: Joint) -> float:
-    """The radius (m) of the one round shape of the link that a joint turns; nan where it has another number of them."""
-    link = joint.child_link
-    shapes = (link.collisions or link.visuals) if link is not None else ()
-    geometry = shapes[0].geometry if len(shapes) == 1 else None
-    if geometry is None or geometry.solid is None or geometry.shape not in {"cylinder", "sphere"}:
-        return math.nan
-    return float(geometry.radius)
+    return Wheel(name, joint, joint.at_rest.position, joint.direction, joint.wheel_radius)
 
 
 # Actuation of the joints of a URDF robot.

@@ -47,11 +47,12 @@ _CLOSE = 1e-3
 """So far apart (rad or m), a joint and its place are the same."""
 _IN = 0.1
 """Of the surface of a link: so much may be inside of another one where the points are few."""
-_MOST_ON_ONE = 20
 _TOUCH = 0.002
 """m: fingers that are closed touch, and numbers are rounded."""
 _MOST_STATES, _MOST_MOVED, _MOST_JOINTS, _MOST_COMPARED = 20, 60, 500, 50
 """States, links, joints, and pairs of surfaces, that are looked at for collisions."""
+_MOST_BETWEEN = 3
+"""Joints between two parts of a gripper."""
 _MOST_SENT = 50
 """So many controllers of MoveIt are compared with the groups."""
 _NAMED = r"<{}\s[^<>]*?\bname\s*=\s*[\"']([^\"']*)[\"']"
@@ -356,24 +357,29 @@ class Semantics:
             if above is not None and self._is_checked(above, link) and not above.distance_to(link):
                 yield above, link
 
-    @property
-    def unlisted_siblings(self) -> Iterator[tuple[Link, Link]]:
-        """Links on one other that are in each other where their joints are at 0, and whose collisions stay on.
+    @lazy
+    def unlisted_overlaps(self) -> tuple[tuple[Link, Link], ...]:
+        """Links near one another that are in each other with all joints at 0, and whose collisions stay on.
 
-        The pairs of both with the other one are off.
+        The collisions of both with other links are off. Neighbors are left out, and what is farther along an arm or on
+        another one, for that may start elsewhere.
         """
         robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
-        if robot is None or any(self._unfound):
-            return
-        on_one: dict[str, list[Link]] = {}
-        for link in robot.links:
-            above = _parent(link) if link.collisions and _rests_at_zero(link) else None
-            if above is not None and frozenset((link.name, above.name)) in self._pairs_off:
-                on_one.setdefault(above.name, []).append(link)
-        for links in on_one.values():
-            for one, other in combinations(links[:_MOST_ON_ONE], 2):
-                if self._is_checked(one, other) and not one.distance_to(other) and one.is_in(other, _IN):
-                    yield one, other
+        if robot is None or any(self._unfound) or len(robot.joints) > _MOST_JOINTS:
+            return ()
+        listed, above = frozenset[str]().union(*self._pairs_off), _moving_above(robot)
+        solid = [link for link in robot.links if link.collisions and link.name in listed and link in above]
+        neighbors = {frozenset(pair) for pair in self.unlisted_neighbors}
+        near = (
+            (one, other)
+            for one, other in combinations(solid[:_MOST_MOVED], 2)
+            if _are_beside(above[one], above[other])
+            and frozenset((one, other)) not in neighbors
+            and all(_rests_at_zero(robot.joints_by_name[name]) for name in above[one] ^ above[other])
+            and self._is_checked(one, other)
+            and not one.distance_to(other)
+        )
+        return tuple((one, other) for one, other in islice(near, _MOST_COMPARED) if one.is_in(other, _IN))
 
     @property
     def colliding_states(self) -> Iterator[tuple[Value, Link, Link]]:
@@ -397,7 +403,7 @@ class Semantics:
             or len(robot.joints) > _MOST_JOINTS
         ):
             return
-        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_siblings)}
+        found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_overlaps)}
         above = _moving_above(robot)
         pairs = [
             (one, other, above[one] ^ above[other])
@@ -746,11 +752,16 @@ def _near(one: Link, other: Link, poses: Mapping[Link, Origin]) -> Mapping[Link,
     return {one: poses[one], other: pose._replace(position=(x, y, z))}
 
 
-def _rests_at_zero(link: Link) -> bool:
-    """Is its joint at 0 where MoveIt starts?"""
-    joint = link.parent_joints[0] if len(link.parent_joints) == 1 else None
-    mimic = joint.axis.mimic if joint is not None and joint.axis_count == 1 else None
-    if joint is None or joint.axis_count != 1 or (mimic is not None and mimic.offset.number != 0):
+def _are_beside(one: frozenset[str], other: frozenset[str]) -> bool:
+    """Is there one joint between two links at most, of those above them, or a few, and none is above the other?"""
+    between = len(one ^ other)
+    return between <= 1 or (between <= _MOST_BETWEEN and not (one <= other or other <= one))
+
+
+def _rests_at_zero(joint: Joint) -> bool:
+    """Is a joint at 0 where MoveIt starts?"""
+    mimic = joint.axis.mimic if joint.axis_count == 1 else None
+    if joint.axis_count != 1 or (mimic is not None and mimic.offset.number != 0):
         return False
     low, high = joint.axis.limit.range
     return low <= 0 <= high

@@ -3044,6 +3044,211 @@ PROBLEMS = {
             "package.xml": "<package><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
         },
     ),
+    # Of hands and grippers, vehicles under water, drives, and what is in the wrong place
+    "a finger overlaps the one that is fixed": Problem(
+        "SRD012",
+        '<robot name="bot">\n<group name="arm"><joint name="shoulder"/></group>'
+        '<group name="tool"><joint name="one_joint"/></group>\n'
+        + "".join(
+            f'<disable_collisions link1="{one}" link2="{two}" reason="Adjacent"/>'
+            for one, two in (("base", "upper"), ("upper", "one"), ("upper", "two"))
+        )
+        + "\n@@</robot>",
+        "",
+        '<disable_collisions link1="one" link2="two" reason="Default"/>',
+        -1,
+        ".srdf",
+        {
+            "bot.urdf": robot(
+                ARM,
+                "".join(
+                    f'<link name="{name}">{MASS}<collision><geometry><box size="0.03 0.04 0.06"/></geometry>'
+                    f'</collision></link><joint name="{name}_joint" type="{kind}"><parent link="upper"/>'
+                    f'<child link="{name}"/><origin xyz="0 {y} 0.44"/><axis xyz="1 0 0"/>'
+                    '<limit lower="0" upper="1" effort="5" velocity="1"/></joint>\n'
+                    for name, kind, y in (("one", "revolute", 0.012), ("two", "fixed", -0.012))
+                ),
+            ),
+            "package.xml": "<package><name>bot</name></package>",
+        },
+    ),
+    "the sides of a drive of ROS 1 are exchanged": Problem(
+        "GEO009",
+        robot(
+            CART,
+            ROS_DRIVE.format("<odometryFrame>odom</odometryFrame><robotBaseFrame>base_link</robotBaseFrame>")
+            .replace("<left_joint>left_joint</left_joint>\n<right_joint>right_joint</right_joint>", "@@")
+            .replace("wheel_separation", "wheelSeparation")
+            .replace("wheel_diameter", "wheelDiameter"),
+        ),
+        "<leftJoint>right_joint</leftJoint><rightJoint>left_joint</rightJoint>",
+        "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>",
+    ),
+    "a car is drawn along y": Problem(
+        "GEO010",
+        robot(
+            '<link name="body"/><link name="base_link">'
+            + MASS
+            + '</link><joint name="b" type="fixed"><parent link="body"/>'
+            '<child link="base_link"/>\n<origin rpy="0 0 @@"/></joint>',
+            "".join(
+                f'<link name="{side}">{MASS}<collision><origin rpy="0 1.5708 0"/>'
+                '<geometry><cylinder radius="0.07" length="0.05"/></geometry></collision></link>\n'
+                f'<joint name="{side}_joint" type="continuous"><parent link="body"/><child link="{side}"/>'
+                f'<origin xyz="{x} 0 0"/><axis xyz="-1 0 0"/></joint>'
+                for side, x in (("left", -0.15), ("right", 0.15))
+            ),
+            DRIVE,
+        ),
+        "0",
+        "1.5708",
+        1,
+    ),
+    "the wheels of a robot without a drive are above its footprint": Problem(
+        "GEO024",
+        robot(
+            f'<link name="base_footprint"/><joint name="f" type="fixed"><parent link="base_footprint"/>'
+            f'<child link="base_link"/>\n<origin xyz="0 0 @@"/></joint>{CART}'
+        ),
+        "0.082",
+        "0.07",
+        -1,
+    ),
+    "the water that moves with a vehicle is heavier than it": Problem(
+        "GAZ043",
+        model(
+            f'<link name="hull">{SDF_BODY}</link>\n<plugin filename="gz-sim-hydrodynamics-system" '
+            'name="gz::sim::systems::Hydrodynamics"><link_name>hull</link_name>\n<zDotW>@@</zDotW><zW>-4</zW></plugin>'
+        ),
+        "-1.2",
+        "-0.5",
+        suffix=".sdf",
+    ),
+    "the body of a vehicle is an element in a value": Problem(
+        "RES027",
+        model(
+            f'<link name="hull">{SDF_BODY}</link>\n',
+            *(
+                f'<link name="{side}">{SDF_MASS}</link><joint name="{side}_joint" type="fixed"><parent>hull</parent>'
+                f"<child>{side}</child></joint>\n"
+                for side in ("left", "right")
+            ),
+            '<plugin filename="gz-sim-tracked-vehicle-system" name="gz::sim::systems::TrackedVehicle">\n<body_link>@@'
+            "</body_link><left_track><link>left</link></left_track><right_track><link>right</link></right_track></plugin>",
+        ),
+        "<link>hull</link>",
+        "hull",
+        suffix=".sdf",
+    ),
+    "damping is written as attributes in SDFormat": Problem(
+        "NS001",
+        model(
+            f'<link name="hull">{SDF_BODY}</link><link name="fin">{SDF_MASS}</link><joint name="j" type="revolute">'
+            "<parent>hull</parent><child>fin</child><axis><xyz>1 0 0</xyz>\n@@</axis></joint>"
+        ),
+        '<dynamics damping="0.2"/>',
+        "<dynamics><damping>0.2</damping></dynamics>",
+        suffix=".sdf",
+    ),
+    "damping is in an element of the first robots": Problem(
+        "URD001",
+        robot(ARM.replace("</joint>\n", '<@@ damping="1"/></joint>\n').replace("<@@", "<dynamics", 1)),
+        "joint_properties",
+        "dynamics",
+    ),
+    "a spring is in attributes of a joint": Problem(
+        "URD002",
+        robot(ARM, SLIDE.replace("@@", "0.04").replace("<limit", '<dynamics damping="9"@@/><limit')),
+        ' springStiffness="1200"',
+        "",
+    ),
+    "moments have both halves of a matrix": Problem(
+        "URD002", robot(ARM.replace('ixz="0"', 'ixz="0"@@', 1)), ' iyx="0"', ""
+    ),
+    "SRDF is about a robot with finer collisions": semantic(
+        '<disable_collisions link1="base" link2="upper" reason="Adjacent"/>\n'
+        '<disable_collisions link1="upper" link2="@@" reason="Adjacent"/>',
+        "upper_sc",
+        "finger",
+        "SRD001",
+    ),
+    "the scene is beside the world": Problem(
+        "SCH003",
+        world(SYSTEMS).replace("</world>", "</world>\n@@"),
+        "<scene><ambient>1 1 1 1</ambient></scene>",
+        "",
+        suffix=".sdf",
+    ),
+    "a sensor is in a model": Problem(
+        "SCH003",
+        model("@@", f'\n<link name="hull">{SDF_BODY}</link>'),
+        '<sensor name="s" type="imu"><topic>imu</topic></sensor>',
+        "",
+        suffix=".sdf",
+    ),
+    "a sensor is on a joint": Problem(
+        "GAZ011",
+        robot(
+            CART,
+            OPTICAL,
+            f'<gazebo reference="@@">\n<sensor name="s" type="gpu_lidar"><topic>scan</topic><lidar>{SCAN}'
+            "</lidar></sensor></gazebo>",
+        ),
+        "eye_joint",
+        "eye",
+        1,
+    ),
+    "a propeller has the limits of its rudder": Problem(
+        "JNT027",
+        robot(
+            ARM,
+            f'<link name="blade">{MASS}</link>\n<joint name="spin" @@<parent link="upper"/><child link="blade"/>'
+            '<axis xyz="1 0 0"/></joint>\n<gazebo><plugin filename="gz-sim-thruster-system" '
+            'name="gz::sim::systems::Thruster"><joint_name>spin</joint_name><propeller_diameter>0.24</propeller_diameter>'
+            "</plugin></gazebo>",
+        ),
+        'type="revolute"><limit lower="-1.57" upper="1.57" effort="9" velocity="9"/>',
+        'type="continuous">',
+        1,
+    ),
+    "a joint names its own model": Problem(
+        "JNT001",
+        model(
+            f'<link name="hull">{SDF_BODY}</link><model name="load"><link name="l">{SDF_BODY}</link></model>\n'
+            '<joint name="j" type="fixed"><parent>hull</parent><child>@@load::l</child></joint>'
+        ),
+        "drone::",
+        "",
+        suffix=".sdf",
+    ),
+    "the left wheels are turned around": Problem(
+        "GEO010",
+        robot(CART.replace('xyz="0 0.15 0"', 'xyz="0 0.15 0" rpy="@@ 0 0"'), DRIVE),
+        "3.14159",
+        "0",
+        8,
+    ),
+    "a part of a robot is on a floating joint": Problem(
+        "URD020",
+        robot(
+            ARM,
+            f'<link name="part">{MASS}</link>\n<joint name="j" type="@@"><parent link="upper"/><child link="part"/>'
+            '<origin xyz="0 0 1"/></joint>',
+        ),
+        "floating",
+        "fixed",
+    ),
+    "a controller drives an arm that has no effort": Problem(
+        "JNT025",
+        robot(
+            ARM.replace('effort="10"', 'effort="@@"'),
+            TRANSMISSION.format(
+                "transmission_interface/SimpleTransmission", "hardware_interface/EffortJointInterface"
+            ),
+        ),
+        "0",
+        "99",
+    ),
 }
 
 
