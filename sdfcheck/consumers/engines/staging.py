@@ -17,7 +17,7 @@ from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
-_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)(/[^\s\"'<>]*)?")
+_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+(?: [^/:\s\"'<>]+)*)(/[^\s\"'<>]*)?")
 _NAME = re.compile(r"(?<=<uri>)\s*([\w.-]+)\s*(?=</uri>)")
 """A name of a model in place of a URI."""
 _MOST = 1_000

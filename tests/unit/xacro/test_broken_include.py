@@ -98,3 +98,19 @@ def test_a_part_calls_a_macro_of_its_includer_without_the_prefix(tmp_path: Path)
     assert [each for each in found(tmp_path) if each[0] == "XAC012"] == [("XAC012", "part.xacro", 0)]
     (tmp_path / "main.urdf.xacro").write_text(f"{HEAD}\n{macro}</robot>")
     assert [each for each in found(tmp_path) if each[0] == "XAC012"] == []
+
+
+def test_what_a_call_without_the_prefix_would_bring_is_not_there_for_consumers() -> None:
+    arm = '<link name="${m}"><inertial><mass value="${kilograms}"/></inertial></link>'
+    use = '<link name="base"/><arm m="a"/>'
+    text = f'{HEAD}<xacro:macro name="arm" params="m">{arm}</xacro:macro>{use}</robot>'
+    run = sdfcheck.lint(
+        text.replace("<robot", '<robot name="r"'),
+        isolated=True,
+        name="r.urdf.xacro",
+        target=["gazebo", "urdfdom"],
+    )
+    shown = [(each.code, each.severity.value) for each in run.diagnostics if each.code.startswith("XAC")]
+    assert sorted(shown) == [("XAC004", "warning"), ("XAC012", "error")]
+    refused = {name for each in run.diagnostics for name, said in each.affects if said.is_refusal}
+    assert refused == {"gazebo"}
