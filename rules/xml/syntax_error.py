@@ -14,7 +14,9 @@ from sdfcheck import (
     problems,
     refuses,
     replace,
+    warns,
 )
+from sdfcheck_rules.xml.strict import is_xacro
 
 Kind = problems.SyntaxKind
 
@@ -115,6 +117,7 @@ TAKEN = frozenset(
 )
 READ = accepts("reads it anyway")
 OF_TINYXML = refuses("refuses the file before version 4")
+UNSEEN = warns("does not see the element before version 4")
 """The readings of tinyxml2, which the consumers use, of these."""
 
 
@@ -218,6 +221,12 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             says="is missing at the end of a comment",
         ),
         Bad(
+            '<robot name="r">«<!-» <link name="l"/> -->\n<link name="a"/></robot>',
+            fixed='<robot name="r"><!-- <link name="l"/> -->\n<link name="a"/></robot>',
+            unsafe=True,
+            says="`<!-` where `<!--` is meant",
+        ),
+        Bad(
             '<sdf version="1.12"><model name="m"><!-- a «<!--» b --> <link name="a"/> --></model></sdf>',
             says="a comment begins inside a comment",
         ),
@@ -254,11 +263,12 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         text = span.text.splitlines()[0][:60] if span.text else ""
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
-        affects = dict.fromkeys(Consumer, READ) if is_taken(problem) else {}
+        affects = dict.fromkeys(Consumer, READ) if is_taken(problem) and not is_xacro(span) else {}
         if affects and not is_odd(problem) and kind is not Kind.SECOND_DECLARATION:
             affects[Consumer.ISAAC] = REFUSES  # its parser is a strict one
         if affects and kind is Kind.BLANK_IN_TAG:
-            affects |= dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), OF_TINYXML)
+            is_empty = span.source.text[span.end :].partition(">")[0].endswith("/")
+            affects |= dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), UNSEEN if is_empty else OF_TINYXML)
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:
@@ -302,6 +312,9 @@ def is_taken(problem: problems.SyntaxDefect) -> bool:
         return problem.other is not None and not span.source.text[problem.other.end : span.start].strip()
     if kind is Kind.BLANK_IN_TAG:
         return not span.text.startswith("</")
+    if kind is Kind.MISSPELT_MARK:  # to tinyxml2 an unknown node, which ends at the first `>`
+        comment = span.source.text[span.start : span.source.text.find("-->", span.end)]
+        return span.text == "<!-" and "<" not in comment.partition(">")[2]
     return is_odd(problem) or (kind in TAKEN and (kind is not Kind.NESTED_COMMENT or not problem.detail))
 
 
