@@ -20,7 +20,7 @@ from sdfcheck_rules.drk.contents import unread
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
 OUTDATED = {"physics": ("ode/provide_feedback",), "sensor": ("imu/topic",), "state": ("light", "model")}
-"""What went out of the format, and is not converted."""
+"""Element → the paths in it that went out of the format and are not converted."""
 
 
 class IgnoredByDrake(Rule):

@@ -18,7 +18,7 @@ from sdfcheck.consumers.engines.child import Refused
 _KINDS = ("revolute", "prismatic", "ball", "planar", "fixed")
 _ENDLESS = 1e9
 _RELATIVE = re.compile(r"""(\sfilename\s*=\s*["'])(?!/|\w+:)""")
-"""What a relative path is added to."""
+"""The beginning of a relative path."""
 
 
 def version() -> str:

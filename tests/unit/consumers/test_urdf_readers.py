@@ -110,7 +110,7 @@ def test_verdicts_follow_the_consumers(robot: str, old: str, new: str, expected:
     assert refusing(robot.replace(old, new, 1), tmp_path) == set(expected.split())
 
 
-def test_what_xacro_refuses_reaches_nobody(tmp_path: Path) -> None:
+def test_xacro_refuses_more_than_tinyxml2(tmp_path: Path) -> None:
     crowded = ALONE.replace('<link name="a">', '<link name="a"id="1">')
     assert refusing(crowded, tmp_path, "robot.urdf.xacro") == {one.value for one in Consumer}
 

@@ -172,7 +172,7 @@ def test_automatic_inertias_of_meshes() -> None:
 
 
 @pytest.mark.parametrize(("part", "is_refused"), [("light", True), ("model", True), ("insertions", False)])
-def test_what_went_out_of_the_format_is_refused_in_what_is_ignored(part: str, is_refused: bool) -> None:
+def test_drake_refuses_old_elements_in_ignored_ones(part: str, is_refused: bool) -> None:
     state = f'<state world_name="w"><{part} name="a"/></state>'
     (found,) = reported(f'<sdf version="1.6"><world name="w">{state}</world></sdf>', "DRK012")
     assert dict(found.affects)["drake"].is_refusal is is_refused

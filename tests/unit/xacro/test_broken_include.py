@@ -100,7 +100,7 @@ def test_a_part_calls_a_macro_of_its_includer_without_the_prefix(tmp_path: Path)
     assert [each for each in found(tmp_path) if each[0] == "XAC012"] == []
 
 
-def test_what_a_call_without_the_prefix_would_bring_is_not_there_for_consumers() -> None:
+def test_consumers_lack_the_links_of_a_call_without_the_prefix() -> None:
     arm = '<link name="${m}"><visual name="${skin}"/></link>'
     use = '<link name="base"/><arm m="a"/>'
     text = f'{HEAD}<xacro:macro name="arm" params="m">{arm}</xacro:macro>{use}</robot>'
