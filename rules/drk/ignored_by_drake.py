@@ -19,6 +19,9 @@ from sdfcheck import (
 from sdfcheck_rules.drk.contents import unread
 from sdfcheck_rules.drk.scaffolds import AXIS, LINK, ROBOT
 
+OUTDATED = {"physics": ("ode/provide_feedback",), "sensor": ("imu/topic",), "state": ("light", "model")}
+"""Element → the paths in it that went out of the format and are not converted."""
+
 
 class IgnoredByDrake(Rule):
     """A standard element or attribute that Drake ignores.
@@ -74,9 +77,17 @@ class IgnoredByDrake(Rule):
 
 
 def _affects(uses: list[Element | Value]) -> dict[Consumer, Reaction]:
-    """Drake knows no state of a model as it was written up to version 1.11."""
-    is_old = any(isinstance(use, Element) and use.name == "state" and use.has("model") for use in uses)
+    """Drake refuses what went out of the format, in what it ignores as well."""
+    is_old = any(
+        isinstance(use, Element) and any(_holds(use, path) for path in OUTDATED.get(use.name, ()))
+        for use in uses
+    )
     return {Consumer.DRAKE: REFUSES} if is_old else {}
+
+
+def _holds(element: Element, path: str) -> bool:
+    name, _, rest = path.partition("/")
+    return any(not rest or _holds(child, rest) for child in element.children(name))
 
 
 def _uses(root: Root, entry: Ignored) -> Iterator[Element | Value]:

@@ -15,11 +15,14 @@ from sdfcheck import (
     accepts,
     drops,
     named,
+    refuses,
     warns,
 )
 
 HUNG = {Consumer.PINOCCHIO: warns("hangs the link on the joint whose name comes last")}
 HELD = {Consumer.DRAKE: accepts("holds the link, as nothing else joins its parents")}
+ONE_WAY = {Consumer.DRAKE: refuses("cannot reverse joints of this type")}
+ONE_WAY_TYPES = frozenset(("ball", "screw", "universal"))
 LABELS = 10
 """So many places of one link are shown."""
 DROPPED = {Consumer.GAZEBO: drops("the link, which has no mass")}
@@ -32,7 +35,7 @@ class SeveralParents(Rule):
     hangs it on the joint whose name comes last. Pinocchio refuses it where it comes to the link before the parent of
     that joint. SDFormat allows it, and Gazebo closes the loop, but
     it is seldom meant: the solvers of kinematics want a tree. Drake refuses loops, whichever way their joints go, and
-    takes two parents that nothing else joins.
+    takes two parents that nothing else joins, by joints that it can reverse: not balls, screws and universal ones.
     """
 
     code = "JNT007"
@@ -103,7 +106,9 @@ class SeveralParents(Rule):
             if link.is_urdf and is_dropped(link, joints):
                 affects = affects | DROPPED
             if link not in closed:
-                affects = affects | HELD
+                affects = affects | (
+                    ONE_WAY if any(joint.type in ONE_WAY_TYPES for joint in further) else HELD
+                )
             labels = {joints[0].child_value or joints[0]: "first a child here"}
             labels |= {joint.child_value or joint: "and here" for joint in further[1:LABELS]}
             place, severity = further[0].child_value or further[0], Severity.ERROR if link.is_urdf else None

@@ -128,6 +128,8 @@ class MalformedUri(Rule):
             severity = None if named.is_urdf else Severity.WARNING
         elif named.kind == "include":
             affects = {Consumer.GAZEBO: REFUSES}
+        if ":///" in text:
+            affects[Consumer.PYBULLET] = accepts("looks for what follows the slashes")
         scheme = named.uri.partition(":")[0]
         message = {
             UriFault.BACKSLASH: f"backslashes in `{text}`, which takes slashes",

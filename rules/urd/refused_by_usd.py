@@ -1,6 +1,18 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Element, Good, Root, Rule, Severity, Value, named, used
+from sdfcheck import (
+    Bad,
+    Diagnostic,
+    Element,
+    Good,
+    PrefixDeclaration,
+    Root,
+    Rule,
+    Severity,
+    Value,
+    named,
+    used,
+)
 
 OF_SHAPE = frozenset(("geometry", "material", "origin"))
 ROBOT = '<robot name="r" xmlns:p="https://example.org/p"><link name="base">{}</link></robot>'
@@ -13,6 +25,7 @@ class RefusedByUsd(Rule):
     It keeps the attributes that URDF does not know: those of the robot, of links, shapes and materials, and all that
     is in elements of others, `<gazebo>` among them. A name in USD is letters, digits and `_`, so that one with a
     prefix, a hyphen or a dot is refused, and nothing is converted. In joints, geometries and origins it ignores them.
+    An `xmlns="…"` of the robot is refused as well: in a namespace the converter finds no element `robot`.
     """
 
     code = "URD033"
@@ -23,7 +36,7 @@ class RefusedByUsd(Rule):
     A `gz:expressed_in` in `<gazebo>` is for Gazebo alone: an argument of xacro can leave out the blocks for it.
     """
     default = False
-    looks_at = (Root,)
+    looks_at = (PrefixDeclaration, Root)
     scaffold = ROBOT
     sources = ("https://github.com/newton-physics/urdf-usd-converter",)
 
@@ -39,6 +52,11 @@ class RefusedByUsd(Rule):
             says="attribute `p:lod` (used 2 times) has a name that USD refuses",
         ),
         Bad('<p:note «a-b»="1"/>', says="attribute `a-b` has a name"),
+        Bad(
+            '<robot name="r" «xmlns»="https://example.org/p"><link name="base"/></robot>',
+            scaffold="",
+            says="`xmlns` puts the robot into a namespace, where the converter to USD does not find it",
+        ),
     )
     good = (
         Good(f'<visual group="2">{SHAPE}</visual>', why="a name that USD takes"),
@@ -46,11 +64,18 @@ class RefusedByUsd(Rule):
     )
 
     @staticmethod
-    def applies(root: Root) -> bool:
-        return root.is_urdf and any(unfit_names(root))
+    def applies(found: PrefixDeclaration | Root) -> bool:
+        if isinstance(found, Root):
+            return found.is_urdf and any(unfit_names(found))
+        is_default = found.name == "xmlns" and found.is_on_root and bool(found.namespace)
+        return is_default and found.document.kind.value == "urdf"
 
-    def check(self, root: Root) -> Iterator[Diagnostic]:
-        names = list(unfit_names(root))
+    def check(self, found: PrefixDeclaration | Root) -> Iterator[Diagnostic]:
+        if isinstance(found, PrefixDeclaration):
+            says = "`xmlns` puts the robot into a namespace, where the converter to USD does not find it"
+            yield self.diagnostic(found, says)
+            return
+        names = list(unfit_names(found))
         distinct = dict.fromkeys(value.attribute or "" for value in names)
         which = f"attribute {named(distinct, most=3)}{used(len(names))}"
         message = f"{which} has a name that USD refuses, and its converter the file"

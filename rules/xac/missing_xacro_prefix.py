@@ -18,6 +18,7 @@ from sdfcheck_rules.xac.undefined import SHOWN
 
 FATAL = refuses("gets no robot description")
 MISSED = refuses("refuses the joint to a link that it would bring")
+BARE = {Consumer.GAZEBO: refuses("refuses the file, as no link has a mass without it")}
 
 
 class MissingXacroPrefix(Rule):
@@ -87,12 +88,13 @@ class MissingXacroPrefix(Rule):
         edits = tuple(TextEdit(span, f"xacro:{name}") for span in problem.edits)
         which = "each of them" if problem.others else "it"
         fix = make_fix(f"make {which} `xacro:{name}`", edits, unsafe=True)
+        affects = BARE if problem.is_bare else None
+        if problem.is_fatal or problem.is_missed:
+            affects = dict.fromkeys(Consumer, FATAL if problem.is_fatal else MISSED)
         yield self.diagnostic(
             problem.span,
             f"`{name}` without the prefix `xacro:` is left as it is{used(1 + len(problem.others))}",
             labels=dict.fromkeys(problem.others[:SHOWN], "also here"),
             fix=fix,
-            affects=dict.fromkeys(Consumer, FATAL if problem.is_fatal else MISSED)
-            if problem.is_fatal or problem.is_missed
-            else None,
+            affects=affects,
         )

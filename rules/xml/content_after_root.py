@@ -6,15 +6,18 @@ from sdfcheck import REFUSES, Bad, Consumer, Diagnostic, Good, Rule, Severity, S
 PARTS = {"model", "world"}
 """Without `<sdf>` around them they are reported by missing-root."""
 IGNORED = {**dict.fromkeys(Consumer, ignores("it")), Consumer.ISAAC: REFUSES}
-OF_URDFDOM = {**dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), ignores("it")), Consumer.PINOCCHIO: REFUSES}
+OF_URDFDOM = {
+    **dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), ignores("it")),
+    **dict.fromkeys((Consumer.ISAAC, Consumer.PINOCCHIO, Consumer.PYBULLET), REFUSES),
+}
 
 
 class ContentAfterRoot(Rule):
     """Something is after the root element: a second one, an end tag, or text.
 
-    A document has one root element. The simulators read the first one and ignore a second, but
-    refuse a file that ends with text after it, which urdfdom ignores; every strict XML parser refuses both. Content
-    after the root is not checked.
+    A document has one root element. The simulators read the first one and ignore a second, but refuse a
+    declaration after it, and a file that ends with text, both of which urdfdom ignores; every strict XML parser
+    refuses all of this. Content after the root is not checked.
     """
 
     code = "XML008"
@@ -34,6 +37,10 @@ class ContentAfterRoot(Rule):
         ),
         Bad('<sdf version="1.12"><world name="w"/></sdf>\n«</sdf>»', says="`</sdf>` closes nothing"),
         Bad('<sdf version="1.12"><world name="w"/></sdf>\n«the end»\n', says="text after the root element"),
+        Bad(
+            '<robot name="r"><link name="l"/></robot>\n«<?xml version="1.0"?>»\n<robot name="s"/>',
+            says="a second document begins after the root element",
+        ),
         Bad(
             '<robot name="r"><link name="l"/></robot>\n<«robot» name="s"><link name="l"/></robot>',
             says="a second root element, `robot`",
@@ -57,7 +64,7 @@ class ContentAfterRoot(Rule):
             affects = IGNORED
         elif text.startswith("<?xml"):
             message = "a second document begins after the root element"
-            affects = IGNORED
+            affects = OF_URDFDOM
         elif span.start and span.source.text[span.start - 1] == "<":
             message = f"a second root element, `{text}`"
             affects = IGNORED

@@ -1,13 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Good, Rule, Severity, named, problems
+from sdfcheck import Bad, Consumer, Diagnostic, Good, Rule, Severity, accepts, named, problems
 
 
 class DocumentType(Rule):
     """The file has a document type declaration.
 
     Neither SDFormat nor URDF has one. Drake and MuJoCo skip it, and so does libsdformat in SDFormat; in URDF
-    urdfdom before version 4, and libsdformat with it, refuses the file. Entities that it declares are
+    urdfdom before version 4, and libsdformat with it, refuses the file if it declares entities. These are
     not known: a reference to one of them stays in the text as it is written.
     sdfcheck does the same; it expands no entity and loads no file that one names.
     """
@@ -39,4 +39,5 @@ class DocumentType(Rule):
             message += f"; its entity `{problem.entities[0]}` stays unresolved"
         elif problem.entities:
             message += f"; its entities {named(problem.entities, most=3)} stay unresolved"
-        yield self.diagnostic(problem.span, message)
+        affects = {} if problem.entities else dict.fromkeys(Consumer, accepts("ignores it"))
+        yield self.diagnostic(problem.span, message, affects=affects)

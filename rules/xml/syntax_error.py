@@ -12,8 +12,11 @@ from sdfcheck import (
     Span,
     accepts,
     problems,
+    refuses,
     replace,
+    warns,
 )
+from sdfcheck_rules.xml.strict import is_xacro
 
 Kind = problems.SyntaxKind
 
@@ -106,12 +109,15 @@ HARMLESS = {Kind.ANGLE_IN_VALUE, Kind.SECTION_END_IN_TEXT, Kind.ODD_VERSION}
 TAKEN = frozenset(
     (
         Kind.ANGLE_IN_VALUE,
+        Kind.MISSING_SPACE,
         Kind.NESTED_COMMENT,
         Kind.SECTION_END_IN_TEXT,
         Kind.ILLEGAL_CHARACTER,
     )
 )
 READ = accepts("reads it anyway")
+OF_TINYXML = refuses("refuses the file before version 4")
+UNSEEN = warns("does not see the element before version 4")
 """The readings of tinyxml2, which the consumers use, of these."""
 
 
@@ -120,10 +126,10 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
 
     Nearly all of this makes every consumer refuse the whole file: libsdformat, Drake,
     MuJoCo and urdfdom read with tinyxml2, which stops at the first such place and often
-    names another one. A `<` in a value and a `]]>` in a text are the exceptions: these
-    consumers take them, and all strict XML parsers (Python's, ROS tools built on it)
-    refuse the file. An odd number for the version of XML, or a misspelled declaration, is a warning for the
-    same reason. The rest of the file is checked as far as it can be made out.
+    names another one. A `<` in a value, a `]]>` in a text, a missing space, one after a `<` and a second
+    declaration are the exceptions: these consumers take them, and all strict XML parsers (Python's, ROS tools
+    built on it) refuse the file. An odd number for the version of XML, or a misspelled declaration, is a warning
+    for the same reason. The rest of the file is checked as far as it can be made out.
     """
 
     code = "XML001"
@@ -188,6 +194,24 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
             says="`name` is not in quotes",
         ),
         Bad(
+            '<robot name="r"><link name="a"/><link name="b"/><joint name="j"«type»="fixed"><parent link="a"/>'
+            '<child link="b"/></joint></robot>',
+            fixed='<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="fixed"><parent link="a"/>'
+            '<child link="b"/></joint></robot>',
+            unsafe=True,
+            says="a space is missing before `type`",
+        ),
+        Bad(
+            '<robot name="r"><link name="a">«< /link»></robot>',
+            fixed='<robot name="r"><link name="a"></link></robot>',
+            unsafe=True,
+            says="a space between `<` and `/link`",
+        ),
+        Bad(
+            '<?xml version="1.0"?>\n«<?xml version="1.0"?>»\n<robot name="r"><link name="a"/></robot>',
+            says="an XML declaration appears only once",
+        ),
+        Bad(
             '<sdf version="1.12"><model name="a«<»b"><link name="l"/></model></sdf>',
             fixed='<sdf version="1.12"><model name="a&lt;b"><link name="l"/></model></sdf>',
             says="`<` in the value of `name`",
@@ -195,6 +219,12 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         Bad(
             '<sdf version="1.12"><model name="m">«<!--» a link\n<link name="a"/></model></sdf>',
             says="is missing at the end of a comment",
+        ),
+        Bad(
+            '<robot name="r">«<!-» <link name="l"/> -->\n<link name="a"/></robot>',
+            fixed='<robot name="r"><!-- <link name="l"/> -->\n<link name="a"/></robot>',
+            unsafe=True,
+            says="`<!-` where `<!--` is meant",
         ),
         Bad(
             '<sdf version="1.12"><model name="m"><!-- a «<!--» b --> <link name="a"/> --></model></sdf>',
@@ -233,9 +263,12 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         text = span.text.splitlines()[0][:60] if span.text else ""
         message = MESSAGES[kind].format(text=text, name=name)
         labels = {}
-        affects = dict.fromkeys(Consumer, READ) if is_taken(problem) else {}
-        if affects and not is_odd(problem):
+        affects = dict.fromkeys(Consumer, READ) if is_taken(problem) and not is_xacro(span) else {}
+        if affects and not is_odd(problem) and kind is not Kind.SECOND_DECLARATION:
             affects[Consumer.ISAAC] = REFUSES  # its parser is a strict one
+        if affects and kind is Kind.BLANK_IN_TAG:
+            is_empty = span.source.text[span.end :].partition(">")[0].endswith("/")
+            affects |= dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), UNSEEN if is_empty else OF_TINYXML)
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
         elif kind is Kind.UNCLOSED_ELEMENT and other is not None and other.start < span.start:
@@ -274,7 +307,14 @@ def is_odd(problem: problems.SyntaxDefect) -> bool:
 
 def is_taken(problem: problems.SyntaxDefect) -> bool:
     """Does tinyxml2 read the file anyway? Of a comment in another one the rest may be left."""
-    kind = problem.kind
+    kind, span = problem.kind, problem.span
+    if kind is Kind.SECOND_DECLARATION:
+        return problem.other is not None and not span.source.text[problem.other.end : span.start].strip()
+    if kind is Kind.BLANK_IN_TAG:
+        return not span.text.startswith("</")
+    if kind is Kind.MISSPELT_MARK:  # to tinyxml2 an unknown node, which ends at the first `>`
+        comment = span.source.text[span.start : span.source.text.find("-->", span.end)]
+        return span.text == "<!-" and "<" not in comment.partition(">")[2]
     return is_odd(problem) or (kind in TAKEN and (kind is not Kind.NESTED_COMMENT or not problem.detail))
 
 

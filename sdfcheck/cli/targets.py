@@ -150,9 +150,12 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     if kind is Kind.URDF:
         is_part = not document.root.has("link") and is_fragment(document)
         return _unread(rows, _NO_LINK) if is_part else rows
-    if document.root.name == "sdf":
-        return tuple(row if "sdf" in READS[row.consumer] else _unread([row], NO_SDF)[0] for row in rows)
-    return rows if is_robot(document) and may_have_links(document) else _unread(rows, _PART)
+    is_sdf = document.root.name == "sdf"
+    if not (is_robot(document) and (is_sdf or may_have_links(document))):
+        return _unread(rows, _PART)
+    return tuple(
+        row if not is_sdf or "sdf" in READS[row.consumer] else _unread([row], NO_SDF)[0] for row in rows
+    )
 
 
 def _unread(rows: Sequence[Row], note: str) -> tuple[Row, ...]:

@@ -146,8 +146,8 @@ def _begun(value: Value) -> Mapping[Consumer, Reaction]:
     """Reactions to what begins with a number, such as ``1kg`` and ``0x10``."""
     name, text = value.element.name, value.text.strip()
     is_hexadecimal = _HEXADECIMAL.fullmatch(text) is not None
-    found = {}
-    if _NUMBERS.fullmatch(text) and not (is_hexadecimal and name == "cylinder"):
+    found, number = {}, re.match(_NUMBER, text)
+    if number and _NUMBERS.fullmatch(text) and not (name == "cylinder" and float(number[0]) <= 0):
         found[Consumer.DRAKE] = warns("reads the number at its beginning")
     if is_hexadecimal and name != "inertia":
         found[Consumer.MUJOCO] = warns("reads the hexadecimal number")

@@ -131,14 +131,14 @@ def prepare(
     shown = tuple(part.document for part in parts.values() if part.document is not None)
     _open(shown, document)
     outcomes = [parts.get(index, whole) for index, whole in enumerate(expansions)]
-    if misread:
-        found = list(_as_they_stop(found, document, expander, zip(sets, parts.values(), strict=True)))
-    elif all(map(_lacks_packages_only, outcomes)):
+    if not misread and all(map(_lacks_packages_only, outcomes)):
         found = list(_unreached(found, document, shown))
     if not any(map(stops, found)):
         known = [*expansions, *(part for part in parts.values() if part.document is not None)]
         failures = [problem for each in known for problem in each.problems]
         found += [each for each in failures if not (_needs_includer(each) and is_included(document))]
+    if misread:
+        found = list(_as_they_stop(found, document, expander, zip(sets, parts.values(), strict=True)))
     documents = tuple(_documents(expansions, document))
     found = [each for each in found if not _is_template(each.span.source)]
     explained = [with_reason(each, document) for each in _merged(at_values(found, document))]
@@ -176,11 +176,13 @@ def _as_they_stop(
     expander: Expander,
     parts: Iterable[tuple[Mapping[str, str], Expansion]],
 ) -> Iterator[Problem]:
-    """The problems, with those of elements without their prefix fatal where xacro fails for them.
+    """The problems, with what elements without their prefix do to the robot as it is written.
 
-    ``parts`` are the arguments, each with the expansion as if the prefixes were there.
+    ``parts`` are the arguments, each with the expansion as if the prefixes were there: what fails there alone is
+    not reached.
     """
-    fails = lacks = False
+    fails = lacks = is_bare = False
+    is_read = True
     for arguments, part in parts:
         whole = expand_as_launched(document, expander.expand, arguments)
         known, problems = (
@@ -188,12 +190,14 @@ def _as_they_stop(
             for one in (part, whole)
         )
         fails |= whole.document is None and not problems <= known
+        is_read &= whole.document is not None
         lacks |= whole.document is not None and _lacks_ends(whole.document)
+        is_bare |= whole.document is not None and _lacks_inertials(whole.document)
     for each in found:
         if isinstance(each, MissingXacroPrefix):
-            yield each.changed(is_fatal=fails, is_missed=lacks)
+            yield each.changed(is_fatal=fails, is_missed=lacks, is_bare=is_bare)
         else:
-            yield each
+            yield dormant(each) if is_read else each
 
 
 def _lacks_ends(document: Document) -> bool:
@@ -204,6 +208,16 @@ def _lacks_ends(document: Document) -> bool:
     links = {link.get("name") for link in root.children("link")}
     ends = (end for joint in root.children("joint") for name in _ENDS for end in joint.children(name))
     return any(name not in links for name in (end.get("link") for end in ends) if name and name != "world")
+
+
+def _lacks_inertials(document: Document) -> bool:
+    """Has no link of a robot an inertial?"""
+    root = document.root
+    return (
+        root is not None
+        and root.name == "robot"
+        and not any(link.has("inertial") for link in root.children("link"))
+    )
 
 
 def goes_on(expansion: Expansion) -> bool:

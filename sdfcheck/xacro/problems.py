@@ -300,7 +300,7 @@ class MissingXacroPrefix(Record):
     """Elements of one name that are xacro's but for the prefix: the first, the others, and where it goes.
 
     ``is_fatal``: xacro fails, for something asks for what they should have defined. ``is_missed``: a
-    joint names a link that they would bring.
+    joint names a link that they would bring. ``is_bare``: no link has an inertial without them.
     """
 
     span: Span
@@ -309,6 +309,7 @@ class MissingXacroPrefix(Record):
     edits: tuple[Span, ...]
     is_fatal: bool = False
     is_missed: bool = False
+    is_bare: bool = False
 
 
 class UnusedProperty(Record):

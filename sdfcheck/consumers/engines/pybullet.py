@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 import math
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,8 @@ from sdfcheck.consumers.engines.child import Refused
 
 _KINDS = ("revolute", "prismatic", "ball", "planar", "fixed")
 _ENDLESS = 1e9
+_RELATIVE = re.compile(r"""(\sfilename\s*=\s*["'])(?!/|\w+:)""")
+"""The beginning of a relative path."""
 
 
 def version() -> str:
@@ -93,6 +96,8 @@ def with_packages(question: dict[str, Any]) -> str:
     text = Path(path).read_text("utf-8", "surrogateescape")
     for name, folder in packages:
         text = text.replace(f"package://{name}/", f"{folder}/")
+    if not question.get("is_copy"):  # relative paths lead from the file
+        text = _RELATIVE.sub(lambda found: f"{found[1]}{os.path.dirname(path)}/", text)
     Path("copy.urdf").write_text(text, "utf-8", "surrogateescape")
     return os.path.abspath("copy.urdf")
 

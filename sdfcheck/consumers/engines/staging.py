@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from codecs import BOM_UTF8
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -17,7 +18,7 @@ from sdfcheck.files.uris import locate
 from sdfcheck.source.document import Document
 from sdfcheck.source.sniff import Kind
 
-_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+)(/[^\s\"'<>]*)?")
+_PACKAGE = re.compile(r"(package|model)://([^/\s\"'<>]+(?: [^/:\s\"'<>]+)*)(/[^\s\"'<>]*)?")
 _NAME = re.compile(r"(?<=<uri>)\s*([\w.-]+)\s*(?=</uri>)")
 """A name of a model in place of a URI."""
 _MOST = 1_000
@@ -103,7 +104,8 @@ def _texts_in(folder: Path) -> Iterator[str]:
 
 
 def _is_text_of(path: Path, text: str) -> bool:
+    encoded = text.encode("utf-8", "surrogateescape")
     try:
-        return os.path.isfile(path) and path.read_bytes() == text.encode("utf-8", "surrogateescape")
+        return os.path.isfile(path) and path.read_bytes().removeprefix(BOM_UTF8) == encoded
     except OSError:
         return False

@@ -361,6 +361,16 @@ def test_settings_alone_are_a_part_of_robots(tmp_path: Path, capsys: pytest.Capt
     assert "urdfdom  not read: it is a part for other xacro files" in capsys.readouterr().out
 
 
+def test_macros_for_worlds_are_a_part(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "ball.xacro"
+    macro = (
+        '<xacro:macro name="ball" params="name"><model name="${name}"><link name="l"/></model></xacro:macro>'
+    )
+    file.write_text(f'<sdf version="1.7" xmlns:xacro="http://www.ros.org/wiki/xacro">{macro}</sdf>')
+    main(["targets", str(file), "--isolated", "--target", "drake"])
+    assert "drake  not read: it is a part for other xacro files" in capsys.readouterr().out
+
+
 def test_links_in_an_element_of_another_format_make_no_robot(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -67,9 +67,25 @@ def test_pybullet_finds_the_packages_of_a_copy(tmp_path: Path, monkeypatch: pyte
     assert with_packages(question) == str(robot)
     other = Path(with_packages({**question, "packages": [("arm", "/robots/a")]}))
     assert other.read_text() == '<mesh filename="/robots/a/m.stl"/>', "PyBullet goes by the names of folders"
+    robot.write_text('<mesh filename="package://arm/m.stl"/><mesh filename="b.stl"/>')
+    other = Path(with_packages({**question, "packages": [("arm", "/robots/a")]}))
+    assert f'<mesh filename="{tmp_path}/b.stl"/>' in other.read_text(), "from the file, not from the copy"
+    robot.write_text('<mesh filename="package://arm/m.stl"/>')
     copy = with_packages({**question, "is_copy": True})
     assert Path(copy).read_text() == '<mesh filename="/robots/arm/m.stl"/>'
     assert robot.read_text() == '<mesh filename="package://arm/m.stl"/>'
+
+
+def test_a_name_of_a_model_may_have_spaces(tmp_path: Path) -> None:
+    folder = tmp_path / "Pine Tree"
+    (folder / "meshes").mkdir(parents=True)
+    (folder / "model.config").write_text("<model><sdf>model.sdf</sdf></model>")
+    (folder / "meshes/tree.dae").write_text("")
+    document = read(
+        b'<sdf version="1.9"><!-- model://Pine Tree/meshes/tree.dae --></sdf>', folder / "model.sdf"
+    )
+    document.library = Library(SearchPaths(models=(tmp_path,)))
+    assert packages_in(document.source.text, document) == {"Pine Tree": str(folder)}
 
 
 def test_engines_get_the_copy_of_a_model_that_has_what_is_asked_for(tmp_path: Path) -> None:

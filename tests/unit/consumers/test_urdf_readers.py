@@ -62,6 +62,28 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
         (ROBOT, 'upper="1"', 'upper="1e400"', "drake gazebo mujoco pinocchio ros urdfdom"),
         (ROBOT, 'upper="1"', 'upper="1 "', "gazebo pinocchio ros urdfdom"),
         (ROBOT, 'upper="1"', 'upper="0x10"', "gazebo isaac pinocchio ros urdfdom"),
+        (ROBOT, '<box size="1 1 1"/>', '<cylinder length="0,2" radius="1"/>', "drake isaac mujoco"),
+        (ROBOT, '<box size="1 1 1"/>', '<cylinder length="2,0" radius="1"/>', "isaac mujoco"),
+        (ALONE, '<link name="a">', '<link name="a"id="1">', "isaac"),
+        (ALONE, "</link>", "< /link>", "isaac ros urdfdom"),
+        (ALONE, "<mass ", "< mass ", "isaac"),
+        (ALONE, "<mass ", "<!- x --><mass ", "isaac"),
+        (
+            ALONE,
+            "<mass ",
+            "<!- <a> </a> --><mass ",
+            "drake gazebo isaac mujoco pinocchio pybullet ros urdfdom",
+        ),
+        (
+            ALONE,
+            "</robot>",
+            '</robot><?xml version="1.0"?><a/>',
+            "drake gazebo isaac mujoco pinocchio pybullet",
+        ),
+        (ALONE, "</link>", "</link><!-- a -- b -->", "isaac"),
+        (ALONE, "<robot ", "<!DOCTYPE robot><robot ", ""),
+        (ALONE, "<robot ", '<!DOCTYPE robot [<!ENTITY a "b">]><robot ', "gazebo ros urdfdom"),
+        (ALONE, "<robot ", '<robot xmlns="http://example.org" ', "isaac"),
         (ROBOT, "<collision>", '<collision name="b::c">', "gazebo"),
         (ON_WORLD, 'mass value="1"', 'mass value="heavy"', "drake gazebo isaac mujoco"),
         (LEGS, 'mass value="1"', 'mass value="heavy"', "drake isaac mujoco"),
@@ -86,6 +108,11 @@ def refusing(text: str, folder: Path, name: str = "robot.urdf") -> set[str]:
 )
 def test_verdicts_follow_the_consumers(robot: str, old: str, new: str, expected: str, tmp_path: Path) -> None:
     assert refusing(robot.replace(old, new, 1), tmp_path) == set(expected.split())
+
+
+def test_xacro_refuses_more_than_tinyxml2(tmp_path: Path) -> None:
+    crowded = ALONE.replace('<link name="a">', '<link name="a"id="1">')
+    assert refusing(crowded, tmp_path, "robot.urdf.xacro") == {one.value for one in Consumer}
 
 
 LIMITED = '<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>'

@@ -171,6 +171,13 @@ def test_automatic_inertias_of_meshes() -> None:
     assert reported(in_sdf(link.format("a.obj").replace("true", "false")), "DRK015") == []
 
 
+@pytest.mark.parametrize(("part", "is_refused"), [("light", True), ("model", True), ("insertions", False)])
+def test_drake_refuses_old_elements_in_ignored_ones(part: str, is_refused: bool) -> None:
+    state = f'<state world_name="w"><{part} name="a"/></state>'
+    (found,) = reported(f'<sdf version="1.6"><world name="w">{state}</world></sdf>', "DRK012")
+    assert dict(found.affects)["drake"].is_refusal is is_refused
+
+
 def test_a_part_ignored_at_the_top_matters_where_the_file_is_read() -> None:
     light = '<light name="sun" type="directional"/>'
     alone = reported(f'<sdf version="1.12">{light}</sdf>', "DRK012", "DRK015")

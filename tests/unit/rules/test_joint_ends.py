@@ -219,3 +219,11 @@ def test_drake_takes_two_parents_unless_they_close_a_loop(
     ]
     assert found
     assert {dict(each.affects)["drake"].is_refusal for each in found} == {is_refused}
+
+
+@pytest.mark.parametrize(("kind", "is_refused"), [("ball", True), ("fixed", False)])
+def test_drake_cannot_reverse_every_joint(kind: str, is_refused: bool) -> None:
+    ends = tied("base", "c") + tied("b", "c", "k").replace("fixed", kind)
+    found = reported(sdf(f'<link name="b"/><link name="c"/>{ends}'))
+    (reaction,) = (dict(each.affects)["drake"] for each in found if each.code == "JNT007")
+    assert reaction.is_refusal is is_refused

@@ -98,3 +98,14 @@ def test_a_part_calls_a_macro_of_its_includer_without_the_prefix(tmp_path: Path)
     assert [each for each in found(tmp_path) if each[0] == "XAC012"] == [("XAC012", "part.xacro", 0)]
     (tmp_path / "main.urdf.xacro").write_text(f"{HEAD}\n{macro}</robot>")
     assert [each for each in found(tmp_path) if each[0] == "XAC012"] == []
+
+
+def test_consumers_lack_the_links_of_a_call_without_the_prefix() -> None:
+    arm = '<link name="${m}"><visual name="${skin}"/></link>'
+    use = '<link name="base"/><arm m="a"/>'
+    text = f'{HEAD}<xacro:macro name="arm" params="m">{arm}</xacro:macro>{use}</robot>'
+    run = sdfcheck.lint(text, isolated=True, name="r.urdf.xacro", target=["gazebo", "urdfdom"])
+    shown = [(each.code, each.severity.value) for each in run.diagnostics if each.code.startswith("XAC")]
+    assert sorted(shown) == [("XAC004", "warning"), ("XAC012", "error")]
+    refused = {name for each in run.diagnostics for name, said in each.affects if said.is_refusal}
+    assert refused & {"gazebo", "urdfdom"} == {"gazebo"}
