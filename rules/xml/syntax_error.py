@@ -267,7 +267,8 @@ class SyntaxError(Rule):  # noqa: A001 - the name of the defect
         if affects and not is_odd(problem) and kind is not Kind.SECOND_DECLARATION:
             affects[Consumer.ISAAC] = REFUSES  # its parser is a strict one
         if affects and kind is Kind.BLANK_IN_TAG:
-            is_empty = span.source.text[span.end :].partition(">")[0].endswith("/")
+            text_there = span.source.text
+            is_empty = text_there.startswith("/", text_there.find(">", span.end) - 1)
             affects |= dict.fromkeys((Consumer.ROS, Consumer.URDFDOM), UNSEEN if is_empty else OF_TINYXML)
         if kind is Kind.TRUNCATED and other is not None:
             message = f"the file ends before `</{name}>`"
