@@ -58,10 +58,6 @@ def _first(document: Document, kinds: tuple[type, ...]) -> Span | None:
     return min(spans, key=lambda span: span.start, default=None)
 
 
-_KEPT = frozenset({"INR", "RES"})
-"""Families whose warnings are about what a conversion does not touch."""
-
-
 def new_errors(
     source: Document, before: Iterable[Diagnostic], result: Document, after: Iterable[Diagnostic]
 ) -> list[Diagnostic]:
@@ -176,8 +172,8 @@ class _Blocks:
 
 def means_another_robot(found: Diagnostic) -> bool:
     """Is it a warning about something that Gazebo, who reads results, takes otherwise than it is written?"""
-    if found.severity is not Severity.WARNING or found.code[:3] in _KEPT:
-        return False
+    if found.severity is not Severity.WARNING or found.code.startswith("RES"):
+        return False  # where files are, a conversion does not touch
     reaction = dict(found.affects).get(Consumer.GAZEBO.value)
     return reaction is not None and reaction.verdict is Verdict.WARN and not reaction.is_disregard
 

@@ -469,10 +469,10 @@ class Whole(Part):
 
     @lazy
     def unresolved_frames(self) -> dict[object, list[Value]]:
-        """World or model → the references to frames in it that lead nowhere."""
-        lost = (each for each in self.each("FrameReference") if each.is_unresolved)
+        """World or model → the references to frames in it that lead nowhere, in the order of the file."""
+        lost = [each for each in self.each("FrameReference") if each.is_unresolved]
         found: dict[object, list[Value]] = {}
-        for reference in lost:
+        for reference in sorted(lost, key=lambda each: cast("int", each.span.start)):
             found.setdefault(reference.scope, []).append(reference.value)
         return found
 

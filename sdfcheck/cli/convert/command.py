@@ -270,9 +270,12 @@ class Reader:
         return done.document, done.problems
 
     def _judged(self, document: Document, settings: Settings) -> Input:
-        """A document with the errors that the configured rules find in it."""
+        """A document with the errors that the configured rules find in it.
+
+        Of bodies errors alone: a conversion touches neither their shapes nor their masses.
+        """
         file = document.path
-        found = lint_document(document, self._book.dispatch(settings, file))
+        found = lint_document(document, self._book.dispatch(settings, file).of_errors)
         shown = [one for one in found if one.severity is Severity.ERROR or means_another_robot(one)]
         stopping = obstacles(found, own_consumer(document), ELSEWHERE)
         return Input(file, document, shown, stopping, found=found)
@@ -284,7 +287,7 @@ class Reader:
             return Judgement()
         settings = self._around.settings_for(given.file)
         dispatch = self._book.dispatch(settings, given.file, tuple(ELSEWHERE))
-        after = lint_document(result, dispatch)
+        after = lint_document(result, dispatch.of_errors)
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):
             # An included file may have the same faults in the source.
