@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,9 @@ import pytest
 from benchmarks.conversions import urdf
 
 ROBOTS = Path(__file__).parents[1] / "fixtures" / "robots"
+OF_ROS = ("sdfcheck.robot.bridges", "sdfcheck.robot.ros_files", "sdfcheck.xacro.static.launches")
 HEAVY = (
+    *OF_ROS,
     "dataclasses",
     "difflib",
     "lxml",
@@ -45,9 +48,17 @@ def loaded(*arguments: str) -> str:
 @pytest.mark.parametrize(
     "file", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "diff_drive/model.config"]
 )
-def test_a_clean_file_loads_nothing_heavy_and_no_rule(file: str, output_format: str) -> None:
-    report = loaded("lint", "--isolated", "--output-format", output_format, str(ROBOTS / file))
+def test_a_clean_file_loads_nothing_heavy_and_no_rule(file: str, output_format: str, tmp_path: Path) -> None:
+    folder, name = file.split("/")
+    shutil.copytree(ROBOTS / folder, tmp_path / folder)
+    report = loaded("lint", "--isolated", "--output-format", output_format, str(tmp_path / folder / name))
     assert report == "loaded 0"
+
+
+def test_a_file_in_a_project_for_ros_loads_what_reads_the_files_beside_it(tmp_path: Path) -> None:
+    shutil.copytree(ROBOTS / "diff_drive", tmp_path / "diff_drive")
+    (tmp_path / "diff_drive" / "start.launch.py").write_text("")
+    assert loaded("lint", "--isolated", str(tmp_path / "diff_drive/model.sdf")).split()[2:] == [*OF_ROS]
 
 
 def test_a_robot_of_plain_shapes_loads_no_numpy(tmp_path: Path) -> None:

@@ -173,7 +173,7 @@ class _Blocks:
 def means_another_robot(found: Diagnostic) -> bool:
     """Is it a warning about something that Gazebo, who reads results, takes otherwise than it is written?"""
     if found.severity is not Severity.WARNING or found.code.startswith("RES"):
-        return False  # where files are, a conversion does not touch
+        return False  # a conversion does not touch where files are
     reaction = dict(found.affects).get(Consumer.GAZEBO.value)
     return reaction is not None and reaction.verdict is Verdict.WARN and not reaction.is_disregard
 

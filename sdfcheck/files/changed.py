@@ -9,10 +9,11 @@ from pathlib import Path
 
 from sdfcheck.files.discover import MODEL_CONFIG, SUFFIXES, DiscoveredFile
 from sdfcheck.files.git import changed_since, listed, work_tree
+from sdfcheck.files.packages import YAML
 from sdfcheck.files.regular import MEGABYTE, read_regular
 from sdfcheck.source.errors import WrongUsage
 
-_NAMING = (*SUFFIXES, ".config", ".gazebo", ".inc", ".trans", ".xml", ".yaml", ".yml")
+_NAMING = (*SUFFIXES, ".config", ".gazebo", ".inc", ".trans", ".xml", *YAML)
 """The files that may name others."""
 _OF_A_FOLDER = frozenset({"model.sdf", MODEL_CONFIG})
 """Files that others name by the folder that they are in."""
@@ -24,8 +25,6 @@ _FOR_ALL_BELOW = frozenset(
     {"sdfcheck.toml", ".sdfcheck.toml", "package.xml", "manifest.xml", "CMakeLists.txt"}
 )
 """Files on which everything below their folder depends."""
-_YAML = (".yaml", ".yml")
-"""SRDF is read with files of these beside it."""
 _LAUNCH = re.compile(r"(launch\.py|/launch/[^/]+\.py|\.launch(\.xml)?)$", re.IGNORECASE)
 """Files that may give arguments to every robot of a repository."""
 _TIED = re.compile(r"(?:gz|ign)_type_name|base_(?:link_)?frame")
@@ -85,7 +84,7 @@ def _read_beside(path: str, root: Path) -> Iterator[str]:
     """The folder in which descriptions may be read with a file that no description names."""
     if _LAUNCH.search(path):
         yield _folder(str(root))
-    elif path.endswith(_YAML):
+    elif path.endswith(YAML):  # SRDF is read with files of these beside it
         yield _folder(str(root) if _TIED.search(_text(path)) else os.path.dirname(path))
 
 

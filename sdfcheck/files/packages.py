@@ -17,8 +17,8 @@ FOLDER_LIMIT = 20_000
 _NAMES_LIMIT = 300_000
 """So many names of files of one project are kept."""
 
-_OF_ROS = ("launch", "launch.xml", ".py", ".yaml", ".yml")
-"""How the names of launch files end, and of files of parameters."""
+LAUNCHES, YAML = ("launch", "launch.xml", ".py"), (".yaml", ".yml")
+"""The ends of the names of launch files and programs, and of files of parameters."""
 
 TEMPLATE = ".in"
 """The suffix of a file of which CMake makes the one without it."""
@@ -257,9 +257,8 @@ class Packages:
     def has_ros_files(self) -> bool:
         """Has the project files that may be launch files or parameters of nodes?"""
         if self._has_ros_files is None:
-            self._has_ros_files = any(
-                name.endswith(_OF_ROS) for _, names in self._listings() for name in names
-            )
+            ends = (*LAUNCHES, *YAML)
+            self._has_ros_files = any(name.endswith(ends) for _, names in self._listings() for name in names)
         return self._has_ros_files
 
     def files(

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import Packages
+from sdfcheck.files.packages import YAML, Packages
 from sdfcheck.robot.controllers import LARGEST, UNKNOWN, composed, pairs, span_of
 from sdfcheck.robot.graph import Plugin, Sensor
 from sdfcheck.robot.ros_files import (
@@ -195,7 +195,7 @@ class _Bridges:
         launches = (each for each in launch_texts(packages) if ".msgs." in each[1] or "_bridge" in each[1])
         for path, text in self._within(launches):
             self._take(list(_of_launch(Source(path, text, is_foreign=True), self.unknown)))
-        files = ((path, text_of(path, LARGEST)) for path in project_files(packages, (".yaml", ".yml")))
+        files = ((path, text_of(path, LARGEST)) for path in project_files(packages, YAML))
         entries = ((path, text) for path, text in files if any(key in text for key in _TYPES))
         for path, text in self._within(entries):
             source, node = Source(path, text, is_foreign=True), composed(text)

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.packages import YAML
 from sdfcheck.formats.near_names import Effort, suggest
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
@@ -367,7 +368,7 @@ class _Parsed:
 
 def controllers_in(document: Document, address: str) -> ControllerFile:
     """The controllers of a file that a description names; none where it cannot be read as one of parameters."""
-    if library_of(document) is None or not address.endswith((".yaml", ".yml")) or "$" in address:
+    if library_of(document) is None or not address.endswith(YAML) or "$" in address:
         return _NOTHING
     from sdfcheck.files.uris import as_built, locate
 

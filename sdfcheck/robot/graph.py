@@ -2245,6 +2245,8 @@ _AHEAD = pattern("(?i)front")
 _BEHIND = pattern("(?i)back|rear")
 _NEAR = 0.005
 """m: wheels that are nearer are at one place."""
+_ALONG = 0.9
+"""The cosine of what is along an axis."""
 
 
 class Wheel(NamedTuple):
@@ -2375,8 +2377,8 @@ class Drive(NamedTuple):
     @property
     def is_sideways(self) -> bool:
         """Are the wheels of both sides apart along x, and roll along y, in the frame of the model?"""
-        is_apart = abs(self.distance) > 0.9 * math.dist(self.left.position, self.right.position)
-        return is_apart and all(abs(wheel.axis[0]) > 0.9 for wheel in self.wheels)
+        is_apart = abs(self.distance) > _ALONG * math.dist(self.left.position, self.right.position)
+        return is_apart and all(abs(wheel.axis[0]) > _ALONG for wheel in self.wheels)
 
     @property
     def written_radius(self) -> float:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import Packages, package_around
+from sdfcheck.files.packages import YAML, Packages, package_around
 from sdfcheck.files.regular import read_regular
 from sdfcheck.robot.controllers import LARGEST, PARAMETERS, Parameter, composed, pairs, span_of
 from sdfcheck.robot.values import lazy
@@ -102,7 +102,7 @@ class _Started:
             if "controller" in text:
                 self.words.update(_NAMES.findall(text))
                 self.is_open |= _TYPED_ELSEWHERE.search(text) is not None
-        files = ((path, text_of(path, LARGEST)) for path in project_files(packages, (".yaml", ".yml")))
+        files = ((path, text_of(path, LARGEST)) for path in project_files(packages, YAML))
         self.typed = {path: frozenset(_NAMES.findall(text)) for path, text in files if "type:" in text}
 
 
@@ -237,7 +237,7 @@ class Simulations:
             ),
             None,
         )
-        texts = project_texts(packages, (*_PROGRAMS, ".yaml", ".yml")) if found is not None else None
+        texts = project_texts(packages, (*_PROGRAMS, *YAML)) if found is not None else None
         if texts is None or any(_CLOCK.search(REMARK.sub("", text)) for text in texts.values()):
             return None
         return found
@@ -335,7 +335,7 @@ class _States:
         started = next((path for path, text in launches.items() if _TRANSFORMER in text), None)
         if started is None or any(map(_STATES.search, launches.values())):
             return
-        texts = project_texts(packages, (*DESCRIPTIONS, *_PROGRAMS, ".yaml", ".yml"))
+        texts = project_texts(packages, (*DESCRIPTIONS, *_PROGRAMS, *YAML))
         if texts is None or any(map(_STATES.search, map(_without_bridges, texts.values()))):
             return
         start = launches[started].index(_TRANSFORMER)
@@ -411,7 +411,7 @@ class _Tabs:
     def __init__(self, packages: Packages) -> None:
         self.spans: list[Span] = []
         left = MOST_PARSED
-        for path in project_files(packages, (".yaml", ".yml")):
+        for path in project_files(packages, YAML):
             text = text_of(path, LARGEST)
             match = _TAB.search(text)
             if match is None or PARAMETERS not in text or (left := left - len(text)) < 0:
@@ -444,7 +444,7 @@ class _Frames:
         self._named: Set[str] | None = None
         self._sources: list[Source] = []
         left = MOST_PARSED
-        for path in project_files(packages, (".yaml", ".yml")):
+        for path in project_files(packages, YAML):
             text = text_of(path, LARGEST)
             if _BASE.search(text) and (left := left - len(text)) >= 0:
                 self._sources.append(Source(path, text, is_foreign=True))

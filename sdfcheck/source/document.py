@@ -11,7 +11,7 @@ from pyexpat import ExpatError, ParserCreate
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, cast, overload
 
 from sdfcheck.source.decode import ATTRIBUTE_LIMIT, DEPTH_LIMIT, LENGTH_LIMIT, decode
-from sdfcheck.source.sniff import HEAD, Kind, sniff
+from sdfcheck.source.sniff import HEAD, MADE_BY_XACRO, Kind, sniff
 from sdfcheck.source.text import Source, Span, Step, pattern
 
 if TYPE_CHECKING:
@@ -702,6 +702,11 @@ class Document:
     def is_recognized(self) -> bool:
         """Is this something that is linted?"""
         return self.kind in _LINTED
+
+    @property
+    def is_made_by_xacro(self) -> bool:
+        """Does a remark above the root say that xacro has written it?"""
+        return any(MADE_BY_XACRO in node.text for node in self.prolog)
 
     def is_doubtful(self, span: Span) -> bool:
         """Does a place lie where the text could only be read by a guess?

@@ -272,7 +272,7 @@ class Reader:
     def _judged(self, document: Document, settings: Settings) -> Input:
         """A document with the errors that the configured rules find in it.
 
-        Of bodies errors alone: a conversion touches neither their shapes nor their masses.
+        Not those about bodies that only warn: a conversion keeps shapes and masses as they are.
         """
         file = document.path
         found = lint_document(document, self._book.dispatch(settings, file).of_errors)
@@ -286,8 +286,8 @@ class Reader:
         if given.found is None or source is None:
             return Judgement()
         settings = self._around.settings_for(given.file)
-        dispatch = self._book.dispatch(settings, given.file, tuple(ELSEWHERE))
-        after = lint_document(result, dispatch.of_errors)
+        dispatch = self._book.dispatch(settings, given.file, tuple(ELSEWHERE)).of_errors
+        after = lint_document(result, dispatch)
         found = new_errors(source, given.found, result, after)
         if found and (brought := _included(source)):
             # An included file may have the same faults in the source.

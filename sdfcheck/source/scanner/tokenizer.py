@@ -80,7 +80,7 @@ class _Tokenizer:
         self.entities: list[str] = []
         self.odd_ends: list[int] = []
         self.odd_names: set[str] = set()
-        """The names of the start tags that are broken: their end tags have the same fault."""
+        """The names of the broken start tags: a malformed one is not reported again at its end tag."""
         self.has_document_type = False
         self.defects = 0
         self.known: dict[str, tuple[int, int]] = {}

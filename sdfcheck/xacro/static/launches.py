@@ -21,14 +21,13 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import Packages, is_of_ros_1
+from sdfcheck.files.packages import LAUNCHES, Packages, is_of_ros_1
 from sdfcheck.files.regular import read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
 from sdfcheck.xacro.language import LONGEST_CODE, syntax_tree
 
-_SUFFIXES = ("launch", "launch.xml", ".py")
 _FOLDER = "launch"
 """In a folder of this name each program is a launch file, elsewhere one whose name says so."""
 _FILE_LIMIT = 500
@@ -214,7 +213,7 @@ class _Launches:
 
 def launch_texts(packages: Packages) -> Iterator[tuple[Path, str]]:
     """The launch files of a project with their texts, without those that cannot be read."""
-    for suffix in _SUFFIXES:
+    for suffix in LAUNCHES:
         for path in packages.files(suffix, _FILE_LIMIT, _is_launch):
             with suppress(OSError):
                 yield path, read_regular(path, LONGEST_CODE).decode("utf-8", "replace")

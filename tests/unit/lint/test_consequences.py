@@ -130,6 +130,31 @@ def test_a_misspelled_element(name: str, tmp_path: Path) -> None:
     assert codes(text, tmp_path / "r.urdf") == ["URD001"]
 
 
+@pytest.mark.parametrize("name", ["arm", "base"])
+def test_a_link_that_is_there_twice(name: str, tmp_path: Path) -> None:
+    link = WORLD[WORLD.index(f'<link name="{name}">') :].partition("</link>")[0] + "</link>"
+    text = WORLD.replace(link, link.replace('type="imu"/>', 'type="imu"><topic>t</topic></sensor>') * 2)
+    assert codes(text, tmp_path / "w.sdf") == ["NAM001"]
+
+
+@pytest.mark.parametrize(("text", "name"), [(ROBOT, "r.urdf"), (WORLD, "w.sdf")])
+def test_a_joint_that_is_there_twice(text: str, name: str, tmp_path: Path) -> None:
+    joint = text[text.index('<joint name="lifts"') :].partition("</joint>")[0] + "</joint>"
+    assert codes(text.replace(joint, joint * 2), tmp_path / name) == ["NAM001"]
+
+
+def test_a_place_that_other_values_of_arguments_reach_again(tmp_path: Path) -> None:
+    joint = '<link name="{0}"/><joint name="{0}_joint" type="fixed"><parent link="arm"/><child link="{0}"/></joint>'
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="tool" default="true"/>'
+        f'<xacro:if value="$(arg tool)">{joint.format("tool")}</xacro:if>{joint.format("tip")}</robot>'
+    )
+    path = tmp_path / "r.urdf.xacro"
+    path.write_text(text)
+    found = [each for each in sdfcheck.lint(path).diagnostics if each.code == "JNT001"]
+    assert [each.message[:34] for each in found] == ["parent `arm` of joint `tool_joint`"]
+
+
 def test_a_misspelled_parameter(tmp_path: Path) -> None:
     macro = '<xacro:macro name="m" params="side"><link name="${{{}}}"/></xacro:macro><xacro:m side="a"/>'
     text = f'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{macro}</robot>'

@@ -215,6 +215,26 @@ def test_folders_are_listed_once_until_they_are_forgotten(
     assert len(list(packages.files(".yaml", 100))) == 6
 
 
+@pytest.mark.parametrize(
+    ("name", "is_one"),
+    [
+        ("a.launch", True),
+        ("a.launch.xml", True),
+        ("a.launch.py", True),
+        ("a.yml", True),
+        ("package.xml", False),
+    ],
+)
+def test_files_that_say_what_ros_starts(name: str, is_one: bool, tmp_path: Path) -> None:
+    (tmp_path / "a.urdf").write_text("")
+    packages = Packages(tmp_path, environment={})
+    assert not packages.has_ros_files
+    (tmp_path / name).write_text("")
+    assert not packages.has_ros_files, "the answer holds until files are looked for again"
+    packages.forget()
+    assert packages.has_ros_files is is_one
+
+
 def test_a_build_does_not_ask_for_folders_outside_of_its_package(tmp_path: Path) -> None:
     (tmp_path / "package.xml").write_text(
         "<package><name>bot</name><buildtool_depend>ament_cmake</buildtool_depend></package>"
