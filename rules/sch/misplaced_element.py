@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
 from sdfcheck import (
+    IN_JOINT,
     IN_LINK,
     IN_ROBOT,
     SDF,
@@ -58,6 +59,13 @@ class MisplacedElement(Rule):
         Bad(
             '<sensor name="s" type="camera"><camera><noise><«precision»>2</precision></noise></camera></sensor>',
             says="`precision` does not belong in `noise` of `camera`, but in that of other elements",
+        ),
+        Bad(
+            "<axis><«xy»>0 0 1</xy></axis>",
+            scaffold=IN_JOINT,
+            fixed="<axis><xyz>0 0 1</xyz></axis>",
+            unsafe=True,
+            says="`xy` does not belong in `axis`; did you mean `xyz`?",
         ),
         Bad("<«wrench»>0 0 0 0 0 0</wrench>", says="it goes into `link_state`"),
         Bad(

@@ -1,19 +1,22 @@
 from collections.abc import Iterator
 
-from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Joint, Link, Rule, Severity
+from sdfcheck import IN_ROBOT, Bad, Diagnostic, Good, Joint, Link, Rule, Severity, write_instead
 
 
 class BlankInName(Rule):
     """The name of a link or joint has a space in it.
 
     The consumers of URDF take it, and names of frames, topics and parameters are made of it later, where a
-    blank is not allowed or separates two names.
+    blank is not allowed or separates two names. One before or after the name is seldom meant: it is part of the
+    name, and what looks for the name without it finds nothing.
     """
 
     code = "URD022"
     name = "blank-in-name"
     severity = Severity.INFO
-    remedy = """Replace the space by an underscore, in the name and in all that refers to it.
+    remedy = """Remove a space around the name, replace one in it by an underscore.
+
+    All that refers to the name has to follow.
 
     Editors with the language server of sdfcheck rename both at once.
     """
@@ -28,6 +31,12 @@ class BlankInName(Rule):
             '<child link="big arm"/></joint>',
             says="the name of link `big arm` has a space in it",
         ),
+        Bad(
+            '<link name="arm"/><joint name="«j »" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            fixed='<link name="arm"/><joint name="j" type="fixed"><parent link="base"/><child link="arm"/></joint>',
+            unsafe=True,
+            says="a space after the name `j`, which is part of it in URDF",
+        ),
     )
     good = (
         Good(
@@ -40,4 +49,10 @@ class BlankInName(Rule):
         return " " in node.name
 
     def check(self, node: Link | Joint) -> Iterator[Diagnostic]:
-        yield self.diagnostic(node.name_value or node, f"the name of {node.title} has a space in it")
+        value, name = node.name_value, node.name.strip()
+        if value is None or not name or name == node.name:
+            yield self.diagnostic(value or node, f"the name of {node.title} has a space in it")
+            return
+        where = "before" if node.name[0].isspace() else "after"
+        message = f"a space {where} the name `{name}`, which is part of it in URDF"
+        yield self.diagnostic(value, message, fix=write_instead(name, value), severity=Severity.WARNING)

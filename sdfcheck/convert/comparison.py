@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from enum import Enum
 from itertools import islice
@@ -314,8 +314,8 @@ class Correspondence(Record):
     """Bounds from here on mean none."""
     dropped_links: frozenset[str] = frozenset()
     dropped_joints: frozenset[str] = frozenset()
-    dropped_geometries: frozenset[str] = frozenset()
-    """Kinds of shape that the result cannot hold."""
+    dropped_shapes: Set[Element] = frozenset()
+    """The visuals and collisions of the source that the result cannot hold, or writes as others."""
     changed_bodies: frozenset[str] = frozenset()
     """Source links whose mass properties were given to them, or left out; if there are any, totals
     are not compared."""
@@ -535,7 +535,7 @@ class _Proof:
         for name in self.compared:
             counterpart = self.to.link(name)
             wanted = [
-                g for g in self.source.links[name].geometries if g.kind not in self.to.dropped_geometries
+                g for g in self.source.links[name].geometries if g.element not in self.to.dropped_shapes
             ]
             if not wanted:
                 continue

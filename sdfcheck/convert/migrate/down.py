@@ -129,7 +129,6 @@ def split_capsules(migration: Migration) -> None:
         for end, z in (("bottom", -length / 2), ("top", length / 2)):
             _add_sphere(owner, _free_name(owner, end), radius, at @ _lifted(z))
         capsule.name = "cylinder"
-        migration.dropped_shapes.add("capsule")
         text = f"the capsule of {title(owner)} is written as a cylinder and two spheres: {migration.target} has none"
         migration.lose(owner, text, LossKind.UNSUPPORTED_GEOMETRY)
 
@@ -391,7 +390,6 @@ def _drop(migration: Migration, node: Node) -> None:
         and parent.name == "geometry"
         and parent.parent is not None
     ):
-        migration.dropped_shapes.add(node.name)
         text = f"{title(parent.parent)} is left out: {migration.target} does not have `{node.name}`"
         if parent.parent.parent is not None:
             migration.drop(parent.parent, text, LossKind.UNSUPPORTED_GEOMETRY)

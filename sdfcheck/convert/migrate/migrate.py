@@ -320,7 +320,7 @@ def correspondence(migration: Migration, source: Mechanism) -> Correspondence:
     return Correspondence(
         links,
         joints,
-        dropped_geometries=frozenset(migration.dropped_shapes),
+        dropped_shapes=migration.dropped_shapes,
         changed_bodies=frozenset(source.links) if migration.changed_bodies else frozenset(),
     )
 

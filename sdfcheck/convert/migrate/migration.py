@@ -415,7 +415,7 @@ class Migration:
         self.renamed_joints: dict[str, str] = {}
         self.moved_links: dict[str, Counterpart] = {}
         self.dropped_joints: set[str] = set()
-        self.dropped_shapes: set[str] = set()
+        self.dropped_shapes: set[Element] = set()
         self.kept: set[Node] = set()
         self.brought: list[tuple[Element, frozenset[str]]] = []
         """The includes that were written out, and the names of the custom data in what takes their place."""
@@ -438,6 +438,8 @@ class Migration:
         place = node.place
         if place is not None:
             self.ledger.note(kind, place, message, severity)
+        if kind is LossKind.UNSUPPORTED_GEOMETRY and node.source is not None:
+            self.dropped_shapes.add(node.source)
 
     def note(self, node: Node, message: str, kind: LossKind) -> None:
         """Say of something that it is written in another way and means the same."""

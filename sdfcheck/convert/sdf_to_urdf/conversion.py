@@ -30,14 +30,7 @@ from sdfcheck.convert.sdf_to_urdf.extensions import (
     write_actuators,
 )
 from sdfcheck.convert.sdf_to_urdf.joints import add_edge, add_fixed
-from sdfcheck.convert.sdf_to_urdf.links import (
-    DRAKE_SHAPES,
-    HELD,
-    add_link,
-    coupling,
-    define_colors,
-    understood,
-)
+from sdfcheck.convert.sdf_to_urdf.links import DRAKE_SHAPES, add_link, coupling, define_colors, understood
 from sdfcheck.convert.sdf_to_urdf.plan import (
     WORLD,
     Context,
@@ -504,13 +497,12 @@ def _correspondence(context: Context) -> Correspondence:
         name: Counterpart(context.links[name], context.layout.within(name, link.pose))
         for name, link in context.robot.links.items()
     }
-    kinds = {geometry.kind for link in context.robot.links.values() for geometry in link.geometries}
     return Correspondence(
         links=links,
         joints=dict(context.joints),
         parts=context.parts,
         unlimited=min(context.options.unlimited, ENDLESS),
         dropped_joints=frozenset({joint.name for joint in context.made.loops} | context.floating),
-        dropped_geometries=frozenset(kinds - HELD - context.natives),
+        dropped_shapes=context.dropped_shapes,
         changed_bodies=frozenset(context.heavier),
     )

@@ -500,6 +500,7 @@ def _is_held(context: Context, part: Element, shapes: list[Geometry]) -> bool:
     message = f"{part.title}{whose} is left out: {what}"
     kind = LossKind.UNSUPPORTED_GEOMETRY if kinds else LossKind.DROPPED_ELEMENT
     context.ledger.lose(kind, part, message, Severity.ERROR if kinds else Severity.WARNING)
+    context.dropped_shapes.add(part)
     return False
 
 

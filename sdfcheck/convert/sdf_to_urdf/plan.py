@@ -366,6 +366,7 @@ class Context:
     """That of the source, from where relative addresses of the result lead."""
     ledger: Ledger
     root: Xml
+    dropped_shapes: set[Element] = field(default_factory=set)
     between: set[str] = field(default_factory=set)
     """Links of the URDF that are no more than a place between two joints, with a mass that is given to them."""
     heavier: set[str] = field(default_factory=set)

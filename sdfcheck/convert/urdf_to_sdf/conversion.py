@@ -133,7 +133,7 @@ def correspondence(plan: Plan, context: Context) -> Correspondence:
         names.joints,
         dropped_links=frozenset(dropped),
         dropped_joints=frozenset(free_joints(plan, context.options)),
-        dropped_geometries=frozenset(context.dropped_shapes),
+        dropped_shapes=context.dropped_shapes,
         changed_bodies=frozenset(plan.automatic),
     )
 

@@ -281,12 +281,10 @@ class Links:
         shape = next(geometry.children(), None) if geometry is not None else None
         name = "" if shape is None else _OF_VENDORS.get(shape.name, shape.name)
         if shape is None or not (shape.name in {"mesh", *_OF_VENDORS} or shape.name in _SHAPES):
-            context.dropped_shapes.add(shape.name if shape is not None else "")
             kind = f"<{shape.name}>" if shape is not None else "no shape"
             text = f"the {part.name} of link `{link_of(part)}` has {kind}, which is not a shape of URDF"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
         elif not context.allows(f"link/{part.name}/geometry/{name}"):
-            context.dropped_shapes.add(name)
             text = f"SDFormat {context.options.version} has no <{name}>; the {part.name} is left out"
             context.lose(shape, LossKind.UNSUPPORTED_GEOMETRY, text)
             context.ledger.drop(part)
@@ -295,6 +293,7 @@ class Links:
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
         else:
             return shape, name
+        context.dropped_shapes.add(part)
         return None
 
     def _shape(self, part: Element, link: Xml, survivor: str, offset: Array) -> None:
@@ -303,8 +302,7 @@ class Links:
         if built is not None and part not in built:
             text = f"the {part.name} of link `{link_of(part)}` is left out: Gazebo stops reading the link before it"
             context.lose(part, LossKind.UNSUPPORTED_GEOMETRY, text)
-            shapes = (shape.name for each in part.children("geometry") for shape in each.children())
-            context.dropped_shapes |= {_OF_VENDORS.get(name, name) for name in shapes}
+            context.dropped_shapes.add(part)
             return
         held = self._held(part)
         if held is None:

@@ -89,7 +89,7 @@ class Names:
 
 def legal(name: str) -> str:
     """A name without what SDFormat reads into names."""
-    text = name.replace("::", "__")
+    text = name.strip().replace("::", "__")
     if text == WORLD:
         return f"{WORLD}_"
     if len(text) > 4 and text.startswith("__") and text.endswith("__"):
@@ -587,7 +587,7 @@ class Context:
     """Names of links, joints, frames and models of blocks, and those that they get."""
     own_links: set[str] = field(default_factory=set)
     """Links that only <gazebo> blocks have."""
-    dropped_shapes: set[str] = field(default_factory=set)
+    dropped_shapes: set[Element] = field(default_factory=set)
     lost_mimics: set[str] = field(default_factory=set)
     """Joints that do not follow another any more."""
     given: dict[tuple[int, tuple[str, ...]], Given] = field(default_factory=dict)

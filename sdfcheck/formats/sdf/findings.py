@@ -421,7 +421,9 @@ class SdfFindings(Findings):
         for at, problem in enumerate(self.found if lacking else ()):
             if isinstance(problem, problems.RemovedElement) and problem.successor is not None:
                 self.misspelled[problem.parent, problem.successor] = problem.element.span
-            elif isinstance(problem, problems.MisplacedElement) and problem.suggestion is None:
+            elif isinstance(problem, problems.MisplacedElement) and not (
+                problem.suggestion or problem.others
+            ):
                 absent = lacking.get(problem.parent, ())
                 if len(absent) == 1 and _holds(problem.element, absent[0][1]):
                     self.found[at] = problem.changed(suggestion=absent[0][0])
@@ -429,6 +431,7 @@ class SdfFindings(Findings):
 
     def conclude(self) -> list[object]:
         self.judge_unknown()
+        self.found += [group.problem for groups in self.misplaced.values() for group in groups]
         self.judge_misplaced()
         for parent, place, name in self.missing_children:
             if (parent, name) in self.elsewhere:
@@ -438,7 +441,6 @@ class SdfFindings(Findings):
                 self.replaced.setdefault(custom, []).append(name)
             else:
                 self.found.append(self.absent(parent, place, name).changed(cause=cause))
-        self.found += [group.problem for groups in self.misplaced.values() for group in groups]
         self.found = _without_strange_sensors(self.found)
         self.found = folded_values(folded_children(folded_attributes(folded_texts(self.found))))
         root = self.document.root
