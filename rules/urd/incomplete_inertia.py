@@ -70,7 +70,7 @@ class IncompleteInertia(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return bool(inertial.missing_moments) or any(map(inertial.lacks, PARTS))
+        return bool(_missing(inertial)) or any(map(inertial.lacks, PARTS))
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         link = inertial.link.title
@@ -80,9 +80,16 @@ class IncompleteInertia(Rule):
                 affects[Consumer.DRAKE] = warns("takes a solid sphere of 1 kg")
             lacks = " and no ".join(f"`{part}`" for part in parts)
             yield self.diagnostic(inertial, f"the inertial of {link} has no {lacks}", affects=affects)
-        if inertial.missing_moments and inertial.inertia is not None:
-            missing = named(inertial.missing_moments, "or")
-            affects = {Consumer.PYBULLET: REFUSES} if MOMENTS.intersection(inertial.missing_moments) else {}
-            yield self.diagnostic(
-                inertial.inertia, f"the inertia of {link} has no {missing}", affects=affects
-            )
+        missing = _missing(inertial)
+        if missing and inertial.inertia is not None:
+            affects = {Consumer.PYBULLET: REFUSES} if MOMENTS.intersection(missing) else {}
+            message = f"the inertia of {link} has no {named(missing, 'or')}"
+            yield self.diagnostic(inertial.inertia, message, affects=affects)
+
+
+def _missing(inertial: Inertial) -> list[str]:
+    """The moments that are not there, not even under a misspelled name."""
+    inertia = inertial.inertia
+    if inertia is None:
+        return []
+    return [name for name in inertial.missing_moments if inertial.part(inertia).lacks(name)]

@@ -612,9 +612,7 @@ def of_urdf(model: Model) -> Contents:
         _urdf_joint(found, joint, sdf.children["joint"])
     for block in model.blocks_by_reference.get("", ()):
         for entry in block.element.children():
-            if entry.name not in _OF_ROBOTS and entry.name not in (
-                settings("link").keys() | settings("joint").keys()
-            ):
+            if entry.name not in _OF_ROBOTS and (entry.name in sdf.children or ":" in entry.name):
                 _add(robot, entry)
     _drive(found, model)
     return found

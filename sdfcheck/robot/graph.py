@@ -173,8 +173,7 @@ class Inertial(Part):
         inertia = self.inertia
         if inertia is None or not self.is_urdf:
             return ()
-        part = self.part(inertia)
-        return tuple(name for name in _BY_ROWS if name not in inertia.attributes and part.lacks(name))
+        return tuple(name for name in _BY_ROWS if name not in inertia.attributes)
 
     @lazy
     def tensor(self) -> Moments:

@@ -67,9 +67,14 @@ class Materials:
         """The numbers of a color; those out of range, which libsdformat refuses, are the nearest in it."""
         text = spaced(color.attributes.get("rgba", ""))
         values = floats(text)
-        if values is None or all(0 <= value <= 1 for value in values):
+        if values is None or len(values) not in _OF_COLORS:
+            if text:
+                message = f"`{text}` is not a color: red, green, blue and alpha; the visual gets none"
+                self.context.lose(color, LossKind.CHANGED_MATERIAL, message)
+            return ""
+        if all(0 <= value <= 1 for value in values):
             return text
-        inside = numbers(min(max(value, 0.0), 1.0) for value in values)
+        inside = numbers(min(max(0.0, value), 1.0) for value in values)
         message = f"color {text} becomes {inside}: SDFormat has numbers from 0 to 1 only"
         self.context.note(color, LossKind.CHANGED_MATERIAL, message)
         return inside
@@ -127,6 +132,8 @@ class Materials:
             context.note(texture, LossKind.CHANGED_MATERIAL, text, Severity.INFO)
 
 
+_OF_COLORS = frozenset({3, 4})
+"""Numbers that libsdformat takes for a color."""
 _BRIGHTER = 1 / 0.8
 """Source: libsdformat's parser_urdf.cc."""
 

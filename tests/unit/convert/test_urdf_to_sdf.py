@@ -226,6 +226,14 @@ def test_a_setting_that_is_no_number_is_left_out(setting: str) -> None:
     assert done.text == convert(ARM.replace("</link>", ball, 1)).text
 
 
+@pytest.mark.parametrize("color", ["red", "0.5", "1 0 0 1 1"])
+def test_a_color_that_is_none_is_left_out_and_reported(color: str) -> None:
+    material = f'<material name="paint"><color rgba="{color}"/></material></visual>'
+    done = convert(ARM.replace("</visual>", material))
+    assert done.text.count("<material>") == 0
+    assert LossKind.CHANGED_MATERIAL in kinds(done)
+
+
 def test_a_block_that_cannot_be_read_as_sdformat_is_refused() -> None:
     block = '<gazebo><link name="extra"><pose>here</pose></link></gazebo></robot>'
     with pytest.raises(NotConvertible, match="cannot be read"):
