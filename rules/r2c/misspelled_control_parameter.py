@@ -24,8 +24,9 @@ class MisspelledControlParameter(Rule):
     """A controller gets a parameter that it does not read, and lacks one of nearly the same name.
 
     ROS 2 says nothing about a parameter that no node declares: the controller takes its default for the one that was
-    meant, which is an empty list or 0, or is not loaded. Looked at is the file that the simulator's plugin names, and
-    controllers whose parameters are known.
+    meant, which is an empty list or 0, or is not loaded. So it is with the words around them, `controller_manager`,
+    `ros__parameters`, `type`. Looked at is the file that the simulator's plugin names, and controllers whose parameters
+    are known.
     """
 
     code = "R2C044"
@@ -49,6 +50,16 @@ class MisspelledControlParameter(Rule):
             files=files(CAR, "wheel_base: 0.3"),
             says="and an AckermannSteeringController reads `wheelbase`",
         ),
+        Bad(
+            ROBOT,
+            files={"controllers.yaml": "controller_manager:\n  ros_parameters: {update_rate: 100}\n"},
+            says="`controller_manager` in `controllers.yaml` has `ros_parameters`, and ROS 2 reads `ros__parameters`",
+        ),
+        Bad(
+            ROBOT,
+            files={"controllers.yaml": "controller_manger:\n  ros__parameters: {update_rate: 100}\n"},
+            says="`controllers.yaml` has `controller_manger`, and the plugin of the simulator reads `controller_man",
+        ),
     )
     good = (
         Good(SOUND, files=files(FINGER, "joint: lift")),
@@ -64,9 +75,8 @@ class MisspelledControlParameter(Rule):
 
     def check(self, robot: Model) -> Iterator[Diagnostic]:
         for plugin, each in robot.misspelled_parameters:
-            article = "an" if each.kind[0] in "AEIO" else "a"
-            where = f"`{each.owner}` in `{each.span.source.path.name}`"
-            message = f"{where} has `{each.name}`, and {article} {each.kind} reads `{each.meant}`"
+            where = f"`{each.owner}` in " * bool(each.owner) + f"`{each.span.source.path.name}`"
+            message = f"{where} has `{each.name}`, and {each.reader} reads `{each.meant}`"
             yield self.diagnostic(
                 plugin.file_of_controllers or plugin, message, labels={each.span: "written here"}
             )

@@ -49,6 +49,7 @@ class UnknownControllerType(Rule):
         ),
         Bad(ROBOT, files=files("effort_controllers/JointTrajectoryController")),
         Bad(ROBOT, files=files("diff_drive_controller/DiffDriveControler")),
+        Bad(ROBOT, files=files("joint_state_broadcasters/JointStateBroadcaster")),
     )
     good = (
         Good(SOUND, files=files("joint_state_broadcaster/JointStateBroadcaster")),

@@ -1,13 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Element, Good, Rule, Semantics, Severity, rename, used
+from sdfcheck import Bad, Diagnostic, Element, Good, Rule, Semantics, Severity, rename, used, write_instead
 from sdfcheck_rules.srd.scaffold import FILE, IN_SRDF
 
 PAIR = '<disable_collision{} link1="base" link2="{}"/>'
 
 
 class MisspelledSemanticElement(Rule):
-    """An element of SRDF has nearly the name of one that MoveIt reads.
+    """An element or attribute of SRDF has nearly the name of one that MoveIt reads.
 
     MoveIt ignores names that it does not know, and says nothing. Pairs whose collisions were to be left out are then
     checked: links beside each other collide in each state, and no plan is found.
@@ -39,6 +39,13 @@ class MisspelledSemanticElement(Rule):
             file=FILE,
             says="did you mean `group_state`?",
         ),
+        Bad(
+            '<disable_collisions link1="base" «linkk2»="upper"/>',
+            fixed='<disable_collisions link1="base" link2="upper"/>',
+            unsafe=True,
+            file=FILE,
+            says="there is no attribute `linkk2` in `disable_collisions` of MoveIt; did you mean `link2`?",
+        ),
     )
     good = (
         Good(PAIR.format("s", "upper"), file=FILE),
@@ -49,7 +56,7 @@ class MisspelledSemanticElement(Rule):
 
     @staticmethod
     def applies(semantics: Semantics) -> bool:
-        return any(True for _ in semantics.misspelled)
+        return bool(semantics.misspelled or semantics.misspelled_attributes)
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         by_name: dict[tuple[str, str], list[Element]] = {}
@@ -58,3 +65,10 @@ class MisspelledSemanticElement(Rule):
         for (name, near), uses in by_name.items():
             message = f"there is no element `{name}` in MoveIt{used(len(uses))}"
             yield self.diagnostic(uses[0], message, meant=near, fix=rename(near, *uses))
+        for (element, near), (value, is_needed) in semantics.misspelled_attributes.items():
+            at, message = (
+                value.name_span,
+                f"there is no attribute `{value.attribute}` in `{element.name}` of MoveIt",
+            )
+            severity = None if is_needed else Severity.WARNING
+            yield self.diagnostic(at, message, meant=near, fix=write_instead(near, at), severity=severity)

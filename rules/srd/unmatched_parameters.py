@@ -32,6 +32,7 @@ class UnmatchedParameters(Rule):
     prefix, are not kept, and a group whose solver is under another name has no inverse kinematics. Trajectories go to a
     controller by its name: where the controller manager starts another one for these joints, MoveIt waits for it in
     vain and does not move the robot. Nor does it where no controller has a joint of the group that is planned for.
+    Nor does it read a parameter or load a plugin whose name is misspelled.
     Speeds and positions take the place of those of the robot, also where they are beyond them: MoveIt plans what the
     joint cannot do.
     Looked at are the files in the package of the only SRDF file of it, for ROS 2.
@@ -53,6 +54,18 @@ class UnmatchedParameters(Rule):
             file=FILE,
             files=files(joint_limits=LIMIT.format("left_shoulder")),
             says="`joint_limits.yaml` limits joint `left_shoulder`, which robot `arm` does not have",
+        ),
+        Bad(
+            SRDF,
+            file=FILE,
+            files=files(joint_limits=LIMIT.format("wrist") + LIMIT.format("shouldr").partition("\n")[2]),
+            says="limits joint `shouldr`, which robot `arm` does not have; there is `shoulder`",
+        ),
+        Bad(
+            SRDF,
+            file=FILE,
+            files=files(kinematics=SOLVER.format("all").replace("cs_solver", "cs_slover")),
+            says="`kinematics.yaml` has `kinematics_slover` for group `all`, and MoveIt reads `kinematics_solver`",
         ),
         Bad(
             SRDF,

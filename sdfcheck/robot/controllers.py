@@ -17,7 +17,7 @@ from typing import Any
 
 from sdfcheck.files.library import library_of
 from sdfcheck.files.packages import YAML
-from sdfcheck.formats.near_names import Effort, suggest
+from sdfcheck.formats.near_names import Effort, misspelling_of, suggest
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.text import Source, Span
@@ -273,10 +273,11 @@ class Mistyped(NamedTuple):
 
 
 class Misspelled(NamedTuple):
-    """A parameter that a controller does not read, and one that it reads, does not get, and is called nearly so."""
+    """A name that nothing reads, and one that is read, is not there, and is called nearly so."""
 
     owner: str
-    kind: str
+    """The node or entry that has it."""
+    reader: str
     name: str
     meant: str
     span: Span
@@ -379,7 +380,8 @@ def controllers_in(document: Document, address: str) -> ControllerFile:
 
 
 def _controllers(source: Source) -> ControllerFile:
-    paths = dict(_nodes(composed(source.text), "", 0, set()))
+    top = composed(source.text)
+    paths = dict(_nodes(top, "", 0, set()))
     nodes = {path.rpartition("/")[2]: parameters for path, (_, parameters) in paths.items()}
     found = [(name, node) for name, node in pairs(nodes.get(_MANAGER)) if node.id == "mapping"]
     types = {name: _texts(_get(entry, "type")) for name, entry in found}
@@ -392,7 +394,7 @@ def _controllers(source: Source) -> ControllerFile:
     )
     unreached = () if "**" in nodes else tuple(_unreached(source, paths, nodes, found))
     strays = {each.stray.rpartition("/")[2] for each in unreached} | ({*nodes} if "**" in nodes else set())
-    misspelled = tuple(_misspelled(source, nodes, declared))
+    misspelled = tuple(_misspelled(source, top, paths, nodes, declared))
     meant = {(each.owner, each.meant) for each in misspelled}
     lacking = _lacking(source, paths, declared)
     key = paths.get(_MANAGER)
@@ -540,19 +542,41 @@ def _unreached(
 
 
 def _misspelled(
-    source: Source, nodes: Mapping[str, Any], declared: Mapping[str, Sequence[Any]]
+    source: Source,
+    top: Any,
+    paths: Mapping[str, Any],
+    nodes: Mapping[str, Any],
+    declared: Mapping[str, Sequence[Any]],
 ) -> Iterator[Misspelled]:
-    """The parameters that a controller does not read, and that are called nearly as one that it does not get."""
+    """The names that nothing reads, and that are nearly those of parameters that are read and not there."""
     effort = Effort()
-    for owner, parameters in nodes.items():
-        kind = _kind(declared[owner])
-        names = kind.names.split() if kind is not None else []
-        given = {key.value: key for key, _ in islice(_keys(parameters), _MOST_READ)}
+    for owner, mapping, names, reader in _readers(top, paths, nodes, declared):
+        given = {key.value: key for key, _ in islice(_keys(mapping), _MOST_READ)}
         left = [name for name in names if name not in given]
         for name, key in given.items() if left else ():
             if name not in names and (meant := suggest(name, left, effort)) is not None:
-                word = declared[owner][0].value.rpartition("/")[2]
-                yield Misspelled(owner, word, name, meant, span_of(source, key))
+                yield Misspelled(owner, reader, name, meant, span_of(source, key))
+
+
+def _readers(
+    top: Any, paths: Mapping[str, Any], nodes: Mapping[str, Any], declared: Mapping[str, Sequence[Any]]
+) -> Iterator[tuple[str, Any, Sequence[str], str]]:
+    """The mappings of a file with their names, empty for the file, the names that are read in them, and by whom."""
+    for owner, parameters in nodes.items():
+        if (kind := _kind(declared[owner])) is not None:
+            word = declared[owner][0].value.rpartition("/")[2]
+            yield owner, parameters, kind.names.split(), f"{'an' if word[0] in 'AEIO' else 'a'} {word}"
+    manager, reader = nodes.get(_MANAGER), "the controller manager"
+    yield _MANAGER, manager, ("update_rate",), reader
+    for name, entry in pairs(manager):
+        if not declared.get(name):
+            yield name, entry, ("type",), reader
+    known = {path.partition("/")[0] for path in paths}
+    for name, node in pairs(top):
+        if name.strip("/").partition("/")[0] not in known:
+            yield name, node, (PARAMETERS,), "ROS 2"
+    if manager is None:
+        yield "", top, (_MANAGER,), "the plugin of the simulator"
 
 
 def _lacking(
@@ -598,10 +622,14 @@ def _strange(source: Source, declared: Mapping[str, Sequence[Any]]) -> Iterator[
     for owner, types in declared.items():
         name = types[0].value if types else ""
         package, _, kind = name.partition("/")
-        if kind and package in first and name not in _TYPES and not effort.is_spent:
-            near = None if package in _FORMER_PACKAGES else suggest(name, _TYPES, effort)
+        if not kind or name in _TYPES or effort.is_spent:
+            continue
+        near = None if package in _FORMER_PACKAGES else suggest(name, _TYPES, effort)
+        if package in first:
             meant = _FORMER_TYPES.get(kind) or near or first[package]
-            yield Misspelled(owner, kind, name, meant, span_of(source, types[0]))
+            yield Misspelled(owner, "", name, meant, span_of(source, types[0]))
+        elif near is not None and near.rpartition("/")[2] == kind:
+            yield Misspelled(owner, "", name, near, span_of(source, types[0]))
 
 
 def _untyped(
@@ -722,15 +750,40 @@ _OCTOMAPS: Mapping[str, tuple[str, ...]] = {
 _SERVO = ("move_group_name", "ee_frame_name", "robot_link_command_frame")
 _ADAPTERS = {"humble": "default_planner_request_adapters", "jazzy": "response_adapters"}
 _SENDER = "moveit_simple_controller_manager"
+_MANAGERS = (
+    f"{_SENDER}/MoveItSimpleControllerManager",
+    "moveit_ros_control_interface/Ros2ControlManager",
+    "moveit_ros_control_interface/Ros2ControlMultiManager",
+)
+_SOLVER_TYPES = (
+    "bio_ik/BioIKKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedKDLKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedSrvKinematicsPlugin",
+    "cached_ik_kinematics_plugin/CachedTRACKinematicsPlugin",
+    "kdl_kinematics_plugin/KDLKinematicsPlugin",
+    "lma_kinematics_plugin/LMAKinematicsPlugin",
+    "pick_ik/PickIkPlugin",
+    "srv_kinematics_plugin/SrvKinematicsPlugin",
+    "trac_ik_kinematics_plugin/TRAC_IKKinematicsPlugin",
+)
+_OF_FILES = ("joint_limits", "moveit_controller_manager", _SENDER)
+_OF_JOINTS = tuple(
+    name.format(kind)
+    for kind in ("position", "velocity", "acceleration", "deceleration", "jerk")
+    for name in ("has_{}_limits", "max_{}", "min_{}")[: 3 if kind == "position" else 2]
+)
+_OF_SOLVERS = ("kinematics_solver", "kinematics_solver_search_resolution", "kinematics_solver_timeout")
+"""What MoveIt reads of its files, of the limits of a joint, and of the solver of a group."""
 _SWITCHED = ("velocity", "acceleration", "jerk")
 _JOINT_LIMITS = Kind(types="bool: has_*_limits number: m??_velocity m??_acceleration m??_jerk m??_position")
 
 
 class SentController(NamedTuple):
-    """A controller to which MoveIt sends trajectories, and the joints that it has for it."""
+    """A controller to which MoveIt sends trajectories or commands for grippers, and the joints that it has for it."""
 
     name: Parameter
     joints: tuple[Parameter, ...]
+    is_of_trajectories: bool
 
     @property
     def own_name(self) -> str:
@@ -739,7 +792,7 @@ class SentController(NamedTuple):
 
 
 class RefusedEntry(NamedTuple):
-    """A controller or sensor that MoveIt leaves out, in words, with a place."""
+    """A controller, sensor or parameter that MoveIt leaves out, in words, with a place."""
 
     words: str
     span: Span
@@ -765,12 +818,13 @@ class MoveItFiles(NamedTuple):
     """The group and the links of MoveIt's servo."""
     allowed: tuple[tuple[str, Parameter], ...] = ()
     """The joints and the bounds of positions and speeds that take the place of those of the robot."""
+    misspelled: tuple[RefusedEntry, ...] = ()
 
     def started_instead(self, sent: SentController) -> str:
         """The controller that is started for the joints of one that is not started, and to which nothing is sent."""
         joints = {each.content for each in sent.joints}
         known = {each.own_name for each in self.sent}
-        if sent.own_name in dict(self.started):
+        if sent.own_name in dict(self.started) or not sent.is_of_trajectories:
             return ""
         return next((name for name, own in self.started if own == joints and name not in known), "")
 
@@ -805,7 +859,42 @@ def moveit_files(texts: Mapping[str, Source]) -> MoveItFiles:
         frozenset(_handled(sent)),
         tuple(_servo(texts[SERVO], nodes[SERVO], 0)) if nodes.get(SERVO) is not None else (),
         tuple(_allowed(texts[LIMITS], limits)) if limits is not None else (),
+        tuple(
+            each
+            for name in (LIMITS, SOLVERS, SENT)
+            if nodes.get(name) is not None
+            for each in _miswritten(texts[name], nodes[name])
+        ),
     )
+
+
+def _miswritten(source: Source, node: Any) -> Iterator[RefusedEntry]:
+    """The parameters and plugins in one of its files that are called nearly as those that MoveIt has."""
+    effort = Effort()
+
+    def keys(mapping: Any, known: Sequence[str], whose: str) -> Iterator[RefusedEntry]:
+        given = {name for name, _ in pairs(mapping)}
+        left = [name for name in known if name not in given]
+        for key, _ in islice(_keys(mapping), _MOST_READ):
+            if key.value not in known and (meant := suggest(key.value, left, effort)) is not None:
+                yield RefusedEntry(
+                    f"has `{key.value}`{whose}, and MoveIt reads `{meant}`", span_of(source, key)
+                )
+
+    def plugins(mapping: Any, name: str, known: Sequence[str], whose: str) -> Iterator[RefusedEntry]:
+        for each in _texts(_get(mapping, name)):
+            if each.value not in known and (meant := misspelling_of(each.value, known)) is not None:
+                words = f"has `{each.value}` as `{name}`{whose}, and MoveIt has `{meant}`"
+                yield RefusedEntry(words, span_of(source, each))
+
+    yield from keys(node, _OF_FILES, "")
+    yield from plugins(node, "moveit_controller_manager", _MANAGERS, "")
+    yield from keys(_get(node, _SENDER), ("controller_names",), f" in `{_SENDER}`")
+    for joint, limits in pairs(_get(node, "joint_limits")):
+        yield from keys(limits, _OF_JOINTS, f" for joint `{joint}`")
+    for group, solver in pairs(node):
+        yield from keys(solver, _OF_SOLVERS, f" for group `{group}`")
+        yield from plugins(solver, "kinematics_solver", _SOLVER_TYPES, f" of group `{group}`")
 
 
 def _first(found: Sequence[Mistyped]) -> tuple[Mistyped, ...]:
@@ -847,9 +936,10 @@ def _sent(source: Source, node: Any) -> Iterator[SentController]:
     sender = _get(node, _SENDER)
     for name in _texts(_get(sender, "controller_names")):
         entry = _get(sender, name.value)
-        if _is(entry, "type", "followjointtrajectory"):
+        kind = next((each.value for each in _texts(_get(entry, "type"))), "")
+        if kind in _SENT_TYPES:
             parameter = Parameter("controller_names", name.value, span_of(source, name))
-            yield SentController(parameter, _written(source, entry, "joints"))
+            yield SentController(parameter, _written(source, entry, "joints"), kind == _SENT_TYPES[0])
 
 
 def _refused_sent(source: Source, node: Any) -> Iterator[RefusedEntry]:

@@ -3563,19 +3563,25 @@ class Model(Scope):
         """The joints and sensors that controllers ask for and its ``ros2_control`` blocks do not have.
 
         A file of parameters may be for several robots: a controller without any joint of this one counts only if there
-        is no other that has one, and a sensor only if there is another one.
+        is no other that has one, or if the name is nearly that of a joint that no other controller has; and a sensor
+        only if there is another one.
         """
         if not self.ros2_control or self.document.is_open:
             return
+        from sdfcheck.formats.near_names import nearest
+
         sensors = {
             each.name for block in self.ros2_control for each in block.components if each.what == "sensor"
         }
         known = {need.controller for _, need in self.controller_needs if need.name in self.control_joints}
+        left = set(self.control_joints) - {need.name for _, need in self.controller_needs}
         for plugin, need in self.controller_needs:
             if need.what == "sensor":
                 if sensors and need.name not in sensors:
                     yield plugin, need
-            elif not need.interface and (need.controller in known or not known) and self._lacks(need.name):
+            elif need.interface or not self._lacks(need.name):
+                continue
+            elif need.controller in known or not known or nearest(need.name, left, self.document):
                 yield plugin, need
 
     def _lacks(self, name: str) -> bool:

@@ -133,6 +133,8 @@ class Semantics:
     def links_of(self) -> dict[str, frozenset[str]]:
         """Name of a group → its links as MoveIt collects them: children of its joints; empty if unsure or too many."""
         robot = self.robots[0] if len(self.robots) == 1 and not any(self._unfound) else None
+        if any(each.name == "group" for each in self.faulty):
+            robot = None
         if robot is None or any(self.unknown_groups):
             return {}
         above = {joint.child_name: joint.parent_name for joint in robot.joints}
@@ -258,10 +260,7 @@ class Semantics:
     def unmatched_parameters(self) -> Iterator[tuple[str, Span]]:
         """Words about each name in the files of MoveIt's parameters that is not there, and its place."""
         robot, files = self._parameterized, self.parameters
-        limits = [each for each in files.limits if not is_expression(each.name)]
-        if robot is not None and limits and not any(each.name in robot.joints_by_name for each in limits):
-            more = f" (and {len(limits) - 1} more)" * (len(limits) > 1)
-            yield f"limits joint `{limits[0].name}`, which {robot.title} does not have{more}", limits[0].span
+        yield from self._strange_limits
         solved = {each.name for each in files.solvers}
         left = [
             name for name in self.groups if name not in solved and self.groups[name].find("chain") is not None
@@ -277,9 +276,28 @@ class Semantics:
             elif other:
                 words = f"the controller of these joints in `ros2_controllers.yaml` is `{other}`"
                 yield f"sends trajectories to `{sent.own_name}`, and {words}", sent.name.span
+        yield from ((each.words, each.span) for each in files.misspelled)
         yield from self._strange_to_servo
         yield from self._left_joints
         yield from self._wider_limits
+
+    @property
+    def _strange_limits(self) -> Iterator[tuple[str, Span]]:
+        """Words about limits of joints that are not there: of all, or of those with nearly the name of another one."""
+        robot = self._parameterized
+        limits = [each for each in self.parameters.limits if not is_expression(each.name)]
+        if robot is None or not limits:
+            return
+        unknown = [each for each in limits if each.name not in robot.joints_by_name]
+        words = f"which {robot.title} does not have"
+        if len(unknown) == len(limits):
+            more = f" (and {len(limits) - 1} more)" * (len(limits) > 1)
+            yield f"limits joint `{limits[0].name}`, {words}{more}", limits[0].span
+            return
+        left = robot.joints_by_name.keys() - {each.name for each in limits}
+        for each in unknown:
+            if (near := nearest(each.name, left, self.document)) is not None:
+                yield f"limits joint `{each.name}`, {words}; there is `{near}`", each.span
 
     @property
     def _wider_limits(self) -> Iterator[tuple[str, Span]]:
@@ -327,6 +345,10 @@ class Semantics:
             name: {above[link] for link in links if link in above} for name, links in self.links_of.items()
         }
         for sent in files.sent[:_MOST_SENT]:
+            if not sent.is_of_trajectories or any(
+                each.content not in robot.joints_by_name for each in sent.joints
+            ):
+                continue
             own = {each.content for each in sent.joints} | passive
             for name, joints in moved.items():
                 left = sorted(joints - files.handled - passive)
@@ -342,14 +364,21 @@ class Semantics:
             if each.attributes.get("reason", "").strip().lower() == "adjacent":
                 yield each
 
+    @lazy
+    def _paired(self) -> Model | None:
+        """The robot whose neighbors it calls so, where all links, and all pairs, are read that it names."""
+        is_misread = any(each.name.startswith("disable") for each in self.faulty)
+        is_known = len(self.robots) == 1 and any(self.adjacent_pairs) and not any(self._unfound)
+        return self.robots[0] if is_known and not is_misread else None
+
     @property
     def unlisted_neighbors(self) -> Iterator[tuple[Link, Link]]:
         """Neighbors whose collisions may touch and stay on, where those of other neighbors are off.
 
         MoveIt checks pairs of which a group moves a link.
         """
-        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
-        if robot is None or any(self._unfound):
+        robot = self._paired
+        if robot is None:
             return
         known: dict[str, Link | None] = {}
         for link in robot.links:
@@ -364,8 +393,8 @@ class Semantics:
         The collisions of both with other links are off. Neighbors are left out, and what is farther along an arm or on
         another one, for that may start elsewhere.
         """
-        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
-        if robot is None or any(self._unfound) or len(robot.joints) > _MOST_JOINTS:
+        robot = self._paired
+        if robot is None or len(robot.joints) > _MOST_JOINTS:
             return ()
         listed, above = frozenset[str]().union(*self._pairs_off), _moving_above(robot)
         solid = [link for link in robot.links if link.collisions and link.name in listed and link in above]
@@ -394,14 +423,9 @@ class Semantics:
     @property
     def _near_in_states(self) -> Iterator[tuple[Value, Link, Link, Mapping[Link, Origin]]]:
         """The names of states, two links whose collisions stay on and that may touch there, and where these are."""
-        robot = self.robots[0] if len(self.robots) == 1 and any(self.adjacent_pairs) else None
+        robot = self._paired
         solid = [link for link in robot.links if link.collisions] if robot is not None else []
-        if (
-            robot is None
-            or any(self._unfound)
-            or len(solid) > _MOST_MOVED
-            or len(robot.joints) > _MOST_JOINTS
-        ):
+        if robot is None or len(solid) > _MOST_MOVED or len(robot.joints) > _MOST_JOINTS:
             return
         found = {frozenset(pair) for pair in chain(self.unlisted_neighbors, self.unlisted_overlaps)}
         above = _moving_above(robot)
@@ -475,7 +499,7 @@ class Semantics:
         for state in self.element.children("group_state"):
             value, group = state.attribute("name"), state.attributes.get("group", "").strip()
             given = {joint.attributes.get("name", "").strip() for joint in state.children("joint")}
-            if value is None or group not in self.links_of:
+            if value is None or group not in self.links_of or state in self.faulty:
                 continue
             if given <= {ROOT_JOINT} or any(map(is_expression, given)):
                 continue
@@ -571,17 +595,39 @@ class Semantics:
         for part, definition in self.parts:
             for name in definition.required_attributes:
                 value = part.attribute(name)
+                if (part, name) in self.misspelled_attributes:
+                    continue
                 if value is None or (name == "parent_frame" and not value.text):
                     yield part, name
 
-    @property
-    def misspelled(self) -> Iterator[tuple[Element, str]]:
+    @lazy
+    def misspelled(self) -> tuple[tuple[Element, str], ...]:
         """The elements that srdfdom does not read, each with the name of one that it would read there."""
-        for holder, definition in self.parts:
-            for each in holder.children():
-                is_foreign = each.name not in definition.children and ":" not in each.name
-                if is_foreign and (near := suggest_in(self.document, each.name, definition.children)):
-                    yield each, near
+        return tuple(
+            (each, near)
+            for holder, definition in self.parts
+            for each in holder.children()
+            if each.name not in definition.children and ":" not in each.name
+            if (near := suggest_in(self.document, each.name, definition.children))
+        )
+
+    @lazy
+    def misspelled_attributes(self) -> Mapping[tuple[Element, str], tuple[Value, bool]]:
+        """Element and attribute that srdfdom would read → the one in its place, and whether the element needs it."""
+        found: dict[tuple[Element, str], tuple[Value, bool]] = {}
+        for part, definition in self.parts:
+            for name in part.attributes.keys() - definition.attributes.keys():
+                left = [each for each in definition.attributes if each not in part.attributes]
+                near = suggest_in(self.document, name, left) if ":" not in name else None
+                if near is not None and (value := part.attribute(name)) is not None:
+                    found[part, near] = value, near in definition.required_attributes
+        return found
+
+    @lazy
+    def faulty(self) -> frozenset[Element]:
+        """The elements that srdfdom does not read as they are meant, and those around them."""
+        found = chain(self.misspelled, self.misspelled_attributes, self.lacking)
+        return frozenset(each for element, _ in found for each in (element, *element.around)) - {self.element}
 
     @lazy
     def references(self) -> tuple[NamedPart, ...]:
@@ -654,7 +700,9 @@ class Semantics:
 
     @property
     def unknown_groups(self) -> Iterator[Value]:
-        """The names of groups that it does not define."""
+        """The names of groups that it does not define; those of groups that lost their name are not known."""
+        if any(each.name == "group" and "name" not in each.attributes for each in self.faulty):
+            return
         for kind, value in self.references:
             if kind == "group" and value.text.strip() not in self.groups and not is_expression(value.text):
                 yield value
