@@ -81,6 +81,16 @@ BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
 """An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
 _BRACELESS = re.compile(r"\$([A-Za-z_]\w*)")
 """An expression whose braces were forgotten, perhaps."""
+_NUMBERS = tuple(
+    "xyz rpy size radius length scale ixx iyy izz ixy ixz iyz lower upper effort velocity damping friction".split()
+)
+"""Attributes of URDF that hold numbers alone."""
+_NAMED = re.compile(r"(?<![\w.])[^\W\d]")
+_SIGN = re.compile(r"[{($]")
+_ENDLESS = re.compile(r"\$[{(]")
+_IN_NUMBERS = re.compile(r"\$?\{([^{}$]+)\}|\$?([^\s{}$]+)")
+"""One of the numbers, or what is in its place."""
+_FOR_ANGLES = frozenset({"pi", "radians"})
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -152,16 +162,32 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
     inside = outside.union(visible.parameters)
     for element, macro in reading(document).elements:
         known = outside if macro is None else inside
-        for attribute, text in texts(element, "{($"):
+        for attribute, text in (*texts(element, "{($"), *_named_numbers(element)):
             plain = replaced(text, lambda match: " " * len(match[0]))
-            for written, code in () if _is_free(element) else _loose(plain, known):
+            is_number = attribute in _NUMBERS and element.name[: len(PREFIX)] != PREFIX
+            pieces = () if _is_free(element) else _among_numbers(plain) if is_number else _loose(plain, known)
+            for written, code in pieces:
                 names = free_names(code)
-                if names and names <= known:
+                if names and names <= (known | _FOR_ANGLES if is_number else known):
                     span = place(element, attribute, written)
                     value = element.attribute(attribute) if attribute else None
-                    yield UnevaluatedExpression(span, f"${{{code}}}", is_open=False, value=value)
+                    yield UnevaluatedExpression(span, f"${{{code}}}", False, value, is_number)
             for rest in _endless(text, plain):
                 yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
+
+
+def _named_numbers(element: Element) -> Iterator[tuple[str, str]]:
+    """The attributes for numbers with a name in them, and without any sign of an expression."""
+    for attribute in _NUMBERS if element.name[: len(PREFIX)] != PREFIX else ():
+        text = element.attributes.get(attribute, "")
+        if _NAMED.search(text) and not _SIGN.search(text):
+            yield attribute, text
+
+
+def _among_numbers(plain: str) -> Iterator[tuple[str, str]]:
+    """The same of an attribute for numbers; none where an expression has no end."""
+    for match in () if _ENDLESS.search(plain) else _IN_NUMBERS.finditer(plain):
+        yield match[0], match[1] or match[2]
 
 
 def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[str, str]]:
@@ -261,14 +287,17 @@ def problems(document: Document) -> Iterator[Problem]:
     visible = visible_definitions(document)
     yield from missing_prefixes(document)
     yield from element_problems(document)
-    yield from expression_problems(document, visible)
+    wrong = list(expression_problems(document, visible))
+    yield from wrong
     yield from _undefined_macros(document, visible)
     yield from _undefined_properties(document, visible)
     yield from _wrong_arguments(document, visible)
     found = list(oversights(document, visible))
     meant = {each.near for each in found if isinstance(each, CounterpartProperty)}
-    yield from (each for each in _unused_properties(document, visible) if each.name not in meant)
-    yield from _unused_parameters(document, visible)
+    for each in wrong:
+        meant |= free_names(each.meant[2:-1]) if isinstance(each, UnevaluatedExpression) else frozenset()
+    for unread in (_unused_properties(document, visible), _unused_parameters(document, visible)):
+        yield from (each for each in unread if each.name not in meant)
     for cycle in visible.cycles:
         if cycle.certain:
             element = cycle.include.element
