@@ -296,8 +296,11 @@ def problems(document: Document) -> Iterator[Problem]:
     meant = {each.near for each in found if isinstance(each, CounterpartProperty)}
     for each in wrong:
         meant |= free_names(each.meant[2:-1]) if isinstance(each, UnevaluatedExpression) else frozenset()
-    for unread in (_unused_properties(document, visible), _unused_parameters(document, visible)):
-        yield from (each for each in unread if each.name not in meant)
+    unread: list[UnusedProperty | UnusedMacroParameter] = [
+        *_unused_properties(document, visible),
+        *_unused_parameters(document, visible),
+    ]
+    yield from (each for each in unread if each.name not in meant)
     for cycle in visible.cycles:
         if cycle.certain:
             element = cycle.include.element
@@ -481,7 +484,7 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Unu
         yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)
 
 
-def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Problem]:
+def _unused_parameters(document: Document, visible: Definitions) -> Iterator[UnusedMacroParameter]:
     expressions_in: dict[Element | None, list[Expression]] = {}
     for found in reading(document).expressions:
         expressions_in.setdefault(found.macro, []).append(found)
