@@ -37,8 +37,8 @@ class ZeroLimit(Rule):
     all. A velocity of 0 beside an effort does not count for MoveIt, which then cannot time a motion unless
     `joint_limits.yaml` has a limit, and keeps the joint still in Drake; it is reported where most joints of the robot
     have a velocity. Where the counterparts of a joint have other limits (the same joint of the other side, or of the
-    other fingers), 0 is a mistake and a warning, also if it is one of the two alone; if both are 0, one counterpart with
-    both is enough. Where something drives the joint, powerless-joint says so.
+    other fingers), 0 is a mistake and a warning, also if it is one of the two alone; if both are 0, one counterpart
+    that has both is enough. Where something drives the joint, powerless-joint says so.
     """
 
     code = "JNT016"
@@ -82,7 +82,7 @@ class ZeroLimit(Rule):
         Bad(
             hand("1", "«0»", "-1").replace('"«0»" velocity="1"', '"«0»" velocity="0"'),
             scaffold="{}",
-            says="effort and velocity of joint `ring_flex` are limited to 0, and those of joint `index_flex` to 1 and 1",
+            says="effort and velocity of joint `ring_flex` are limited to 0, and those of joint `index_flex` to 1 and",
         ),
     )
     good = (

@@ -81,7 +81,7 @@ BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
 """An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
 _BRACELESS = re.compile(r"\$([A-Za-z_]\w*)")
 """An expression whose braces were forgotten, perhaps."""
-_NUMBERS = tuple(
+_NUMBERS = frozenset(
     "xyz rpy size radius length scale ixx iyy izz ixy ixz iyz lower upper effort velocity damping friction".split()
 )
 """Attributes of URDF that hold numbers alone."""
@@ -166,10 +166,10 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
             plain = replaced(text, lambda match: " " * len(match[0]))
             is_number = attribute in _NUMBERS and element.name[: len(PREFIX)] != PREFIX
             pieces = () if _is_free(element) else _among_numbers(plain) if is_number else _loose(plain, known)
-            for written, code in pieces:
+            for start, written, code in pieces:
                 names = free_names(code)
                 if names and names <= (known | _FOR_ANGLES if is_number else known):
-                    span = place(element, attribute, written)
+                    span = _place_at(element, attribute, start, written)
                     value = element.attribute(attribute) if attribute else None
                     yield UnevaluatedExpression(span, f"${{{code}}}", False, value, is_number)
             for rest in _endless(text, plain):
@@ -178,27 +178,36 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
 
 def _named_numbers(element: Element) -> Iterator[tuple[str, str]]:
     """The attributes for numbers with a name in them, and without any sign of an expression."""
-    for attribute in _NUMBERS if element.name[: len(PREFIX)] != PREFIX else ():
-        text = element.attributes.get(attribute, "")
-        if _NAMED.search(text) and not _SIGN.search(text):
+    for attribute, text in element.attributes.items():
+        if attribute in _NUMBERS and _NAMED.search(text) and not _SIGN.search(text):
             yield attribute, text
 
 
-def _among_numbers(plain: str) -> Iterator[tuple[str, str]]:
-    """The same of an attribute for numbers; none where an expression has no end."""
+def _place_at(element: Element, attribute: str | None, start: int, written: str) -> Span:
+    """The place of a piece of a value, by where it starts there, or else where such a piece is first."""
+    if attribute is not None:
+        whole = element.document.spans.attribute_value(element, attribute)
+        exact = whole.source.span(whole.start + start, whole.start + start + len(written))
+        if exact.text == written:
+            return exact
+    return place(element, attribute, written)
+
+
+def _among_numbers(plain: str) -> Iterator[tuple[int, str, str]]:
+    """The pieces of a value for numbers, as those of a text; none where an expression has no end."""
     for match in () if _ENDLESS.search(plain) else _IN_NUMBERS.finditer(plain):
-        yield match[0], match[1] or match[2]
+        yield match.start(), match[0], match[1] or match[2]
 
 
-def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[str, str]]:
-    """The pieces of a text that may be expressions: as they are written, and the code that each would be."""
+def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[int, str, str]]:
+    """The pieces of a text that may be expressions: where and how they are written, and the code of each."""
     for match in BRACES.finditer(plain):
-        yield match[0], match[1]
+        yield match.start(), match[0], match[1]
     for match in _BRACELESS.finditer(plain):
         name = match[1]
         while name not in known and "_" in name:
             name = name.rpartition("_")[0]
-        yield f"${name}", name
+        yield match.start(), f"${name}", name
 
 
 def _endless(text: str, plain: str) -> Iterator[str]:
