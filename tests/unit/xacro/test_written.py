@@ -111,7 +111,7 @@ def test_text_that_is_left_in_a_macro_is_found_there_once(rest: str, tmp_path: P
     assert f"text `{rest.replace('&gt;', '>')}`" in found.message
 
 
-def test_what_reads_names_in_the_place_of_numbers_is_found_at_its_own_place(tmp_path: Path) -> None:
+def test_an_expression_among_numbers_has_its_own_place(tmp_path: Path) -> None:
     path = tmp_path / "library.xacro"
     path.write_text(
         HEAD + macro('<origin xyz="x_off off -off/2" rpy="0 {pi / 2} 1e-3"/>', "x_off off") + "</robot>"
