@@ -2,7 +2,7 @@ import re
 from collections.abc import Iterator
 from operator import ne
 
-from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Severity
+from sdfcheck import Bad, Diagnostic, Good, Link, Model, Rule, Semantics, Severity
 
 NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
@@ -40,13 +40,19 @@ VEHICLE = (
     "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint></plugin></model></sdf>"
 )
 
+PAIRS = (
+    '<robot name="r"><group name="all"><joint name="j0"/></group>'
+    '<{} link1="base" link2="arm" reason="Adjacent"/></robot>'
+)
+
 
 class MissingCollision(Rule):
-    """A link that moves has a visual and no collision, and its counterparts have one, or it is a wheel of a drive.
+    """A link that moves has a visual and no collision, and its counterparts have one, or a drive or MoveIt needs one.
 
     It passes through everything. The counterparts are the links of the same name on the other sides (`left_wheel`
     and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five. A drive turns wheels
-    without collisions in the air: the robot falls through the floor, or lies on it.
+    without collisions in the air: the robot falls through the floor, or lies on it. MoveIt compares collisions alone:
+    a robot without any goes through itself and through everything else, and its setup assistant finds no pairs.
     """
 
     code = "GEO008"
@@ -57,8 +63,8 @@ class MissingCollision(Rule):
     A cylinder or box of the outer measures is faster than the mesh and mostly better in contact. Where the
     link is meant to touch nothing, say so by a comment that ignores this finding.
     """
-    looks_at = (Model,)
-    needs = ("<joint",)
+    looks_at = (Model, Semantics)
+    needs = ("<joint", "<disable_collisions")
 
     bad = (
         Bad(
@@ -73,8 +79,20 @@ class MissingCollision(Rule):
             VEHICLE,
             says="link `left` is a wheel of drive `gz::sim::systems::DiffDrive` and has no collision, nor has any",
         ),
+        Bad(
+            PAIRS.format("«disable_collisions»"),
+            file="r.srdf",
+            files={"r.urdf": robot("base visual", "arm visual")},
+            says="no link of robot `r` has a collision, so MoveIt lets it go through everything",
+        ),
     )
     good = (
+        Good(
+            PAIRS.format("disable_collisions"),
+            file="r.srdf",
+            files={"r.urdf": robot("base visual collision", "arm visual")},
+            why="the other may be meant",
+        ),
         Good(
             robot("base visual collision", "left_wheel visual", "right_wheel visual"), why="neither of them"
         ),
@@ -119,10 +137,21 @@ class MissingCollision(Rule):
     )
 
     @staticmethod
-    def applies(model: Model) -> bool:
-        return bool(lacking(model)) or bool(wheels(model))
+    def applies(part: Model | Semantics) -> bool:
+        if isinstance(part, Semantics):
+            return part.element.has("disable_collisions") and part.bare_robot is not None
+        return bool(lacking(part)) or bool(wheels(part))
 
-    def check(self, model: Model) -> Iterator[Diagnostic]:
+    def check(self, part: Model | Semantics) -> Iterator[Diagnostic]:
+        if isinstance(part, Semantics):
+            first, robot = next(part.element.children("disable_collisions")), part.bare_robot
+            assert robot is not None
+            message = f"no link of {robot.title} has a collision, so MoveIt lets it go through everything"
+            yield self.diagnostic(first, message)
+            return
+        yield from self._of(part)
+
+    def _of(self, model: Model) -> Iterator[Diagnostic]:
         for link, title in wheels(model):
             message = f"{link.title} is a wheel of {title} and has no collision, nor has any of its others"
             yield self.diagnostic(link, message)

@@ -1,8 +1,10 @@
 from collections.abc import Iterator
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Element, Good, Inertial, Part, Rule, Severity
+from sdfcheck_rules.inr.center_outside_link import MOST
 from sdfcheck_rules.inr.excess_density import is_too_dense
 from sdfcheck_rules.inr.moments import MARK, is_far_off, is_first, is_unit, others, ratio
+from sdfcheck_rules.inr.places import outside
 from sdfcheck_rules.inr.ratios import times
 
 NOTHING = 1e-6
@@ -53,6 +55,12 @@ class ImplausibleInertia(Rule):
             why="it is the mass that is wrong",
         ),
         Good(
+            "<inertial><pose>0 0 1 0 0 0</pose><mass>2</mass><inertia><ixx>0.004</ixx><iyy>0.004</iyy><izz>0.004</izz>"
+            '</inertia></inertial><collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry>'
+            "</collision>",
+            why="center-outside-link reports the place of the mass",
+        ),
+        Good(
             "<inertial><mass>1e-10</mass><inertia><ixx>1e-5</ixx><iyy>1e-5</iyy><izz>1e-5</izz></inertia></inertial>"
             '<collision name="c"><geometry><sphere><radius>0.05</radius></sphere></geometry></collision>',
             why="its mass is that of another link",
@@ -81,5 +89,5 @@ def is_implausible(inertial: Inertial) -> bool:
         return False
     if ratio(inertial) > 1:
         return inertial.mass.number > NOTHING
-    # else the mass may be wrong, which another rule says
-    return inertial.mass.number > MARK and not is_too_dense(inertial)
+    # else the mass or its place may be wrong, which other rules say
+    return inertial.mass.number > MARK and not is_too_dense(inertial) and not outside(inertial) > MOST

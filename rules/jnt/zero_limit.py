@@ -37,8 +37,8 @@ class ZeroLimit(Rule):
     all. A velocity of 0 beside an effort does not count for MoveIt, which then cannot time a motion unless
     `joint_limits.yaml` has a limit, and keeps the joint still in Drake; it is reported where most joints of the robot
     have a velocity. Where the counterparts of a joint have other limits (the same joint of the other side, or of the
-    other fingers), 0 is a mistake and a warning, also if it is one of the two alone. Where something drives the joint,
-    powerless-joint says so.
+    other fingers), 0 is a mistake and a warning, also if it is one of the two alone; if both are 0, one counterpart
+    that has both is enough. Where something drives the joint, powerless-joint says so.
     """
 
     code = "JNT016"
@@ -78,6 +78,11 @@ class ZeroLimit(Rule):
             hand("1", "«0»", "1"),
             scaffold="{}",
             says="effort of joint `ring_flex` is limited to 0, and that of joint `index_flex` to 1",
+        ),
+        Bad(
+            hand("1", "«0»", "-1").replace('"«0»" velocity="1"', '"«0»" velocity="0"'),
+            scaffold="{}",
+            says="effort and velocity of joint `ring_flex` are limited to 0, and those of joint `index_flex` to 1 and",
         ),
     )
     good = (
@@ -149,15 +154,16 @@ def zeros(limit: Limit) -> dict[str, Number]:
 
 
 def unlike(limit: Limit, zero: Mapping[str, Number]) -> Limit | None:
-    """Limits of a counterpart in URDF that are not 0, where those of all its counterparts are not."""
+    """Limits of a counterpart in URDF that are not 0, where those of all are not, or where all of its own are."""
     joint = limit.joint
     if not joint.is_urdf:  # Drake's actuators: the second finger of a gripper is passive.
         return None
     groups = [[joint.mirror]] if joint.mirror is not None else alike(joint)
     for group in groups:
         others = [other.axis.limit for other in group if other.type == joint.type]
-        if others and all(getattr(other, name) > 0 for other in others for name in zero):
-            return others[0]
+        whole = [other for other in others if all(getattr(other, name) > 0 for name in zero)]
+        if whole and (len(zero) > 1 or len(whole) == len(others)):
+            return whole[0]
     return None
 
 

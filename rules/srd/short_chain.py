@@ -8,6 +8,8 @@ SOLVER = "arm:\n  kinematics_solver: {}\n  kinematics_solver_timeout: 0.05\n"
 KDL = SOLVER.format("kdl_kinematics_plugin/KDLKinematicsPlugin")
 GROUP = '<robot name="arm"><group name="{}"><chain base_link="base" tip_link="link{}"/></group></robot>'
 
+BODY = '<group name="{}"><link name="base"/></group>'
+
 
 def arm(count: int) -> str:
     """A robot with so many joints one after the other."""
@@ -22,11 +24,12 @@ def arm(count: int) -> str:
 
 
 class ShortChain(Rule):
-    """A group is solved for places and directions, and has less than six joints.
+    """A group is solved for places and directions, and has less than six joints, or none.
 
     An arm with four or five joints reaches a place in few directions only. The solver of KDL asks for both, and finds
     nothing for nearly all poses: the marker in RViz does not move or jumps back, and `setPoseTarget` fails. Goals for
-    joints are not affected.
+    joints are not affected. A group of links without a joint that turns or slides, such as the body of a drone, has no
+    solver: MoveIt says that it is not a chain, or that its joint has more than one degree of freedom.
     """
 
     code = "SRD020"
@@ -35,7 +38,8 @@ class ShortChain(Rule):
     remedy = """Add `position_only_ik: true` to the group in `kinematics.yaml`, if the direction does not matter.
 
     Then positions alone are solved. "Approximate IK solutions" in RViz come near a pose. Solvers such as `bio_ik`, or
-    one that is generated for the arm, take goals of fewer dimensions.
+    one that is generated for the arm, take goals of fewer dimensions. A group without joints needs no solver: remove
+    it.
     """
     looks_at = (Semantics,)
     scaffold = "{}"
@@ -45,6 +49,14 @@ class ShortChain(Rule):
 
     bad = (
         Bad(
+            '<robot name="arm"><virtual_joint name="fly" type="floating" parent_frame="map" child_link="base"/>'
+            + BODY.format("«arm»")
+            + "</robot>",
+            file=FILE,
+            files={"arm.urdf": arm(4), "kinematics.yaml": KDL},
+            says="group `arm` has no joint that its solver could move",
+        ),
+        Bad(
             GROUP.format("«arm»", 4),
             file=FILE,
             files={"arm.urdf": arm(4), "kinematics.yaml": KDL},
@@ -52,6 +64,12 @@ class ShortChain(Rule):
         ),
     )
     good = (
+        Good(
+            GROUP.format("arm", 4).replace("</robot>", BODY.format("arm2") + "</robot>"),
+            file=FILE,
+            files={"arm.urdf": arm(4)},
+            why="nothing solves it",
+        ),
         Good(GROUP.format("arm", 6), file=FILE, files={"arm.urdf": arm(6), "kinematics.yaml": KDL}),
         Good(
             GROUP.format("arm", 4),
@@ -72,5 +90,10 @@ class ShortChain(Rule):
 
     def check(self, semantics: Semantics) -> Iterator[Diagnostic]:
         for value, count in semantics.short_chains:
-            what = f"group `{value.text.strip()}` has {count} joints, and its solver asks for six"
+            group = f"group `{value.text.strip()}` has"
+            if not count:
+                message = f"{group} no joint that its solver could move"
+                yield self.diagnostic(value, message, severity=Severity.WARNING)
+                continue
+            what = f"{group} {count} joints, and its solver asks for six"
             yield self.diagnostic(value, f"{what}: it finds no solution for most poses")

@@ -201,7 +201,7 @@ class Semantics:
 
     @property
     def short_chains(self) -> Iterator[tuple[Value, int]]:
-        """The groups that are solved as arms for places and directions, and have too few joints for both."""
+        """The groups that are solved as arms for places and directions, and have too few joints for both, or none."""
         branched = {value.text.strip() for value, _, _ in self.branched_chains}
         for name, is_for_places in self.chained.items():
             value = self.groups[name].attribute("name") if name in self.groups else None
@@ -209,7 +209,9 @@ class Semantics:
                 continue
             joints = [each for each in self.robots[0].joints if each.child_name in self.links_of[name]]
             moved = [each for each in joints if _is_driven(each)]
-            if _SHORTEST <= len(moved) < _WHOLE and all(each.type in _PLAIN for each in moved):
+            if self.links_of[name] and all(each.type in _UNSOLVED for each in joints):
+                yield value, 0
+            elif _SHORTEST <= len(moved) < _WHOLE and all(each.type in _PLAIN for each in moved):
                 yield value, len(moved)
 
     @lazy
@@ -370,6 +372,18 @@ class Semantics:
         is_misread = any(each.name.startswith("disable") for each in self.faulty)
         is_known = len(self.robots) == 1 and any(self.adjacent_pairs) and not any(self._unfound)
         return self.robots[0] if is_known and not is_misread else None
+
+    @property
+    def bare_robot(self) -> Model | None:
+        """Its robot, if there is something to see of it and nothing that collides."""
+        robot = self.robots[0] if len(self.robots) == 1 and not any(self._unfound) else None
+        if robot is None or not any(link.has("visual") for link in robot.links):
+            return None
+        solid = (
+            each.has("collision") or each.misnamed("collision") or each.switches_off("collision")
+            for each in robot.links
+        )
+        return None if any(solid) else robot
 
     @property
     def unlisted_neighbors(self) -> Iterator[tuple[Link, Link]]:
@@ -824,6 +838,7 @@ _SLACK = 0.01
 """Of a bound, or rad, m, rad/s or m/s: rounded figures are no findings."""
 _SHORTEST, _WHOLE = 3, 6
 """Joints of an arm, and those that it takes to reach a place in any direction."""
+_UNSOLVED = frozenset(("fixed", "floating", "planar"))
 _PLAIN = frozenset(("continuous", "prismatic", "revolute"))
 
 

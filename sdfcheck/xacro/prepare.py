@@ -115,7 +115,7 @@ def prepare(
     if any(isinstance(problem, SyntaxDefect) for problem in document.problems):
         return Prepared((), ())
     found: list[Problem] = list(analysis.problems(document))
-    misread = {type(each) for each in found if isinstance(each, _MISLEADING)}
+    misread = {type(each) for each in found if isinstance(each, _MISLEADING) and not _is_of_a_number(each)}
     if expander is None or misread - {MissingXacroPrefix} or not is_robot(document):
         found = [dormant(each) if _is_uncalled(each, document) else each for each in found]
         return Prepared(tuple(with_reason(problem, document) for problem in _merged(found)), ())
@@ -143,6 +143,10 @@ def prepare(
     found = [each for each in found if not _is_template(each.span.source)]
     explained = [with_reason(each, document) for each in _merged(at_values(found, document))]
     return _without_templates(Prepared(tuple(explained), documents, shown))
+
+
+def _is_of_a_number(problem: Problem) -> bool:
+    return isinstance(problem, UnevaluatedExpression) and problem.is_number
 
 
 def _open(parts: Iterable[ExpandedDocument], document: Document) -> None:

@@ -268,6 +268,8 @@ class UnevaluatedExpression(Record):
     is_open: bool
     value: Value | None = None
     """The attribute that holds it."""
+    is_number: bool = False
+    """Is it in the place of a number, so that nothing else depends on it?"""
 
 
 class WrongXacroAttribute(Record):

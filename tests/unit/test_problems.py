@@ -3249,6 +3249,133 @@ PROBLEMS = {
         "0",
         "99",
     ),
+    # Of arms without numbers, collisions or solvers, and expressions that xacro does not see
+    "a height is written as a property without its signs": in_xacro(
+        '<xacro:property name="height" value="0.4"/>\n<link name="a"/><link name="b"/>\n<joint name="j" type="fixed">'
+        '<parent link="a"/><child link="b"/><origin xyz="0 0 @@"/></joint>',
+        "height",
+        "${height}",
+        "XAC010",
+    ),
+    "an angle has the braces of an expression": in_xacro(
+        '<link name="a"/><link name="b"/>\n<joint name="j" type="fixed"><parent link="a"/><child link="b"/>'
+        '<origin rpy="@@ 0 0"/></joint>',
+        "{pi/2}",
+        "${pi/2}",
+        "XAC010",
+    ),
+    "a block calls a macro by the namespace of its own file": in_xacro(
+        '<xacro:include filename="part.xacro" ns="P"/>\n<xacro:property name="parts">\n<xacro:@@ p="x"/>\n'
+        "</xacro:property>\n<xacro:P.all/>",
+        "P.part",
+        "part",
+        "XAC003",
+    )._replace(
+        files={
+            "part.xacro": f"<robot{XACRO}>{PART}"
+            '<xacro:macro name="all"><xacro:insert_block name="parts"/></xacro:macro></robot>'
+        }
+    ),
+    "MoveIt plans for an arm that is only to be seen": beside(
+        "GEO008",
+        robot(SEMANTICS, '<disable_collisions link1="base" link2="upper" reason="Adjacent"/>'),
+        "<disable",
+        "",
+        f"<collision>{BOX}</collision>",
+        {
+            "bot.urdf": robot(ARM, FINGER)
+            .replace(f"<collision>{BOX}</collision>", "@@")
+            .replace(f"<collision>{ROD}</collision>", "")
+        },
+    ),
+    "a solver is set for the hull of a drone": beside(
+        "SRD020",
+        robot(
+            '<virtual_joint name="fly" type="floating" parent_frame="map" child_link="stand"/>\n'
+            '<group name="hull"><link name="stand"/></group>\n<group name="arm"><joint name="shoulder"/></group>'
+        ),
+        'group name="hull"',
+        "hull",
+        "arm",
+        {
+            "bot.urdf": robot(ARM),
+            "kinematics.yaml": "@@:\n  kinematics_solver: kdl_kinematics_plugin/KDLKinematicsPlugin\n",
+        },
+    ),
+    "all joints of an arm but the last have no effort": Problem(
+        "JNT016",
+        robot(
+            f'<link name="stand"/>\n<link name="link_0">{BODY}</link>\n'
+            '<joint name="foot" type="fixed"><parent link="stand"/><child link="link_0"/></joint>\n',
+            *(
+                f'<link name="link_{each}">{BODY}</link>\n<joint name="joint_{each}" type="revolute">'
+                f'<parent link="link_{each - 1}"/><child link="link_{each}"/><origin xyz="0 0 0.15"/>\n'
+                f'<axis xyz="0 1 0"/><limit lower="-1" upper="1" {numbers}/></joint>\n'
+                for each, numbers in enumerate(("@@", "@@", 'effort="90" velocity="2"'), 1)
+            ),
+        ),
+        'effort="0" velocity="0"',
+        'effort="90" velocity="2"',
+    ),
+    "the centers of mass of an arm are given in the world": Problem(
+        "INR013", robot(ARM.replace('xyz="0 0 0.2"/><mass', 'xyz="0 0 @@"/><mass')), "1.25", "0.2"
+    ),
+    "the wheels of a cart turn about the vertical": Problem(
+        "GEO013", robot(CART.replace('<axis xyz="0 1 0"/>', '<axis xyz="0 @@"/>'), DRIVE), "0 1", "1 0"
+    ),
+    "a model is placed by a shelf that is in the world": Problem(
+        "FRM009",
+        model("<pose@@>0 0 1 0 0 0</pose>", f'<link name="l">{SDF_BODY}</link>'),
+        ' relative_to="shelf"',
+        "",
+        suffix=".sdf",
+    ),
+    "the link of a sensor of forces has no mass": Problem(
+        "URD014",
+        robot(
+            ARM,
+            '<link name="wrist">@@</link>\n<joint name="ft" type="fixed"><parent link="upper"/><child link="wrist"/>'
+            '<origin xyz="0 0 0.4"/></joint>\n<gazebo reference="ft"><preserveFixedJoint>true</preserveFixedJoint>'
+            "<provideFeedback>true</provideFeedback></gazebo>\n"
+            '<gazebo><plugin name="forces" filename="libgazebo_ros_ft_sensor.so"><joint_name>ft</joint_name>'
+            "</plugin></gazebo>",
+        ),
+        "",
+        MASS.replace('"1"', '"0.1"').replace("0.01", "0.0001"),
+    ),
+    "a link is held by two joints of which Gazebo makes one": Problem(
+        "JNT007",
+        model(
+            *(
+                f'<link name="{name}"><pose>0 {y} 0 0 0 0</pose>{SDF_BODY}</link>\n'
+                for name, y in (("l", 0), ("m", 0.5), ("n", 1))
+            ),
+            '<joint name="i" type="fixed"><parent>l</parent><child>m</child></joint>\n'
+            '<joint name="j" type="ball"><parent>m</parent><child>n</child></joint>\n@@',
+        ),
+        '<joint name="k" type="fixed"><parent>l</parent><child>n</child></joint>',
+        "",
+        suffix=".sdf",
+    ),
+    "the last of the fingers follows and is commanded": Problem(
+        "R2C015",
+        robot(
+            ARM,
+            FINGER,
+            FINGER.replace('"finger"', '"thumb"')
+            .replace('"grip"', '"press"')
+            .replace("0 0 0.4", "0 0.1 0.4")
+            .replace("</joint>", '<mimic joint="grip"/></joint>'),
+            STATE.format("command", "position", "", "command", "").replace(
+                "</ros2_control>",
+                '<joint name="grip"><command_interface name="position"/><state_interface name="position"/></joint>\n'
+                '<joint name="press">@@<state_interface name="position"/></joint>\n</ros2_control>',
+            ),
+            CONTROLLED,
+        ),
+        '<command_interface name="position"/>',
+        "",
+    ),
 }
 
 

@@ -81,6 +81,16 @@ BRACES = re.compile(r"(?<!\$)\{([^{}$\"':,]+)\}")
 """An expression whose dollar was forgotten, perhaps; also the inner part of one that has it."""
 _BRACELESS = re.compile(r"\$([A-Za-z_]\w*)")
 """An expression whose braces were forgotten, perhaps."""
+_NUMBERS = frozenset(
+    "xyz rpy size radius length scale ixx iyy izz ixy ixz iyz lower upper effort velocity damping friction".split()
+)
+"""Attributes of URDF that hold numbers alone."""
+_NAMED = re.compile(r"(?<![\w.])[^\W\d]")
+_SIGN = re.compile(r"[{($]")
+_ENDLESS = re.compile(r"\$[{(]")
+_IN_NUMBERS = re.compile(r"\$?\{([^{}$]+)\}|\$?([^\s{}$]+)")
+"""One of the numbers, or what is in its place."""
+_FOR_ANGLES = frozenset({"pi", "radians"})
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -152,27 +162,52 @@ def _unevaluated(document: Document, visible: Definitions) -> Iterator[Unevaluat
     inside = outside.union(visible.parameters)
     for element, macro in reading(document).elements:
         known = outside if macro is None else inside
-        for attribute, text in texts(element, "{($"):
+        for attribute, text in (*texts(element, "{($"), *_named_numbers(element)):
             plain = replaced(text, lambda match: " " * len(match[0]))
-            for written, code in () if _is_free(element) else _loose(plain, known):
+            is_number = attribute in _NUMBERS and element.name[: len(PREFIX)] != PREFIX
+            pieces = () if _is_free(element) else _among_numbers(plain) if is_number else _loose(plain, known)
+            for start, written, code in pieces:
                 names = free_names(code)
-                if names and names <= known:
-                    span = place(element, attribute, written)
+                if names and names <= (known | _FOR_ANGLES if is_number else known):
+                    span = _place_at(element, attribute, start, written)
                     value = element.attribute(attribute) if attribute else None
-                    yield UnevaluatedExpression(span, f"${{{code}}}", is_open=False, value=value)
+                    yield UnevaluatedExpression(span, f"${{{code}}}", False, value, is_number)
             for rest in _endless(text, plain):
                 yield UnevaluatedExpression(place(element, attribute, rest), rest, is_open=True)
 
 
-def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[str, str]]:
-    """The pieces of a text that may be expressions: as they are written, and the code that each would be."""
+def _named_numbers(element: Element) -> Iterator[tuple[str, str]]:
+    """The attributes for numbers with a name in them, and without any sign of an expression."""
+    for attribute, text in element.attributes.items():
+        if attribute in _NUMBERS and _NAMED.search(text) and not _SIGN.search(text):
+            yield attribute, text
+
+
+def _place_at(element: Element, attribute: str | None, start: int, written: str) -> Span:
+    """The place of a piece of a value, by where it starts there, or else where such a piece is first."""
+    if attribute is not None:
+        whole = element.document.spans.attribute_value(element, attribute)
+        exact = whole.source.span(whole.start + start, whole.start + start + len(written))
+        if exact.text == written:
+            return exact
+    return place(element, attribute, written)
+
+
+def _among_numbers(plain: str) -> Iterator[tuple[int, str, str]]:
+    """The pieces of a value for numbers, as those of a text; none where an expression has no end."""
+    for match in () if _ENDLESS.search(plain) else _IN_NUMBERS.finditer(plain):
+        yield match.start(), match[0], match[1] or match[2]
+
+
+def _loose(plain: str, known: frozenset[str]) -> Iterator[tuple[int, str, str]]:
+    """The pieces of a text that may be expressions: where and how they are written, and the code of each."""
     for match in BRACES.finditer(plain):
-        yield match[0], match[1]
+        yield match.start(), match[0], match[1]
     for match in _BRACELESS.finditer(plain):
         name = match[1]
         while name not in known and "_" in name:
             name = name.rpartition("_")[0]
-        yield f"${name}", name
+        yield match.start(), f"${name}", name
 
 
 def _endless(text: str, plain: str) -> Iterator[str]:
@@ -261,14 +296,20 @@ def problems(document: Document) -> Iterator[Problem]:
     visible = visible_definitions(document)
     yield from missing_prefixes(document)
     yield from element_problems(document)
-    yield from expression_problems(document, visible)
+    wrong = list(expression_problems(document, visible))
+    yield from wrong
     yield from _undefined_macros(document, visible)
     yield from _undefined_properties(document, visible)
     yield from _wrong_arguments(document, visible)
     found = list(oversights(document, visible))
     meant = {each.near for each in found if isinstance(each, CounterpartProperty)}
-    yield from (each for each in _unused_properties(document, visible) if each.name not in meant)
-    yield from _unused_parameters(document, visible)
+    for each in wrong:
+        meant |= free_names(each.meant[2:-1]) if isinstance(each, UnevaluatedExpression) else frozenset()
+    unread: list[UnusedProperty | UnusedMacroParameter] = [
+        *_unused_properties(document, visible),
+        *_unused_parameters(document, visible),
+    ]
+    yield from (each for each in unread if each.name not in meant)
     for cycle in visible.cycles:
         if cycle.certain:
             element = cycle.include.element
@@ -452,7 +493,7 @@ def _unused_properties(document: Document, visible: Definitions) -> Iterator[Unu
         yield UnusedProperty(document.spans.attribute_value(found.element, "name"), found.name)
 
 
-def _unused_parameters(document: Document, visible: Definitions) -> Iterator[Problem]:
+def _unused_parameters(document: Document, visible: Definitions) -> Iterator[UnusedMacroParameter]:
     expressions_in: dict[Element | None, list[Expression]] = {}
     for found in reading(document).expressions:
         expressions_in.setdefault(found.macro, []).append(found)

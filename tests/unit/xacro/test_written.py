@@ -109,3 +109,17 @@ def test_text_that_is_left_in_a_macro_is_found_there_once(rest: str, tmp_path: P
     (found,) = sdfcheck.lint(tmp_path, isolated=True, select=["SCH010"]).diagnostics
     assert (found.span.source.path.name, found.span.text) == ("part.xacro", rest)
     assert f"text `{rest.replace('&gt;', '>')}`" in found.message
+
+
+def test_an_expression_among_numbers_has_its_own_place(tmp_path: Path) -> None:
+    path = tmp_path / "library.xacro"
+    path.write_text(
+        HEAD + macro('<origin xyz="x_off off -off/2" rpy="0 {pi / 2} 1e-3"/>', "x_off off") + "</robot>"
+    )
+    spans = [each.span for each in sdfcheck.lint(path, isolated=True).diagnostics if each.code == "XAC010"]
+    assert [span.text for span in spans] == ["x_off", "off", "-off/2", "{pi / 2}"]
+    assert [span.start - spans[0].start for span in spans] == [0, 6, 10, 25]
+
+
+def test_names_in_other_values_are_texts(tmp_path: Path) -> None:
+    assert found(macro('<part kind="side" xyz="up"><m size="${side}"/></part>'), tmp_path) == []
