@@ -12,11 +12,16 @@ from sdfcheck import (
     Rule,
     Severity,
     accepts,
-    refuses,
     replace,
+    warns,
 )
 
-INSIDE = ("collision", "light", "sensor", "visual")
+BUILT = ("frame", "include", "joint", "link", "model")
+"""The parts whose poses consumers work out while they read the file."""
+SHAPES = ("collision", "visual")
+PLACED = (*SHAPES, "light", "particle_emitter", "projector", "sensor")
+"""Those whose poses they work out later."""
+IN_PARENT = warns("places it in its parent, with an error message")
 
 
 class UnknownFrame(Rule):
@@ -69,6 +74,12 @@ class UnknownFrame(Rule):
             '<frame name="origin" attached_to="«world»"/>', says="`world`, which is not a frame of model `m`"
         ),
         Bad(
+            '<sdf version="1.6"><world name="w"><gui><camera name="view"><pose frame="«base»">-5 0 9 0 0 0</pose>'
+            "</camera></gui></world></sdf>",
+            scaffold="",
+            says="the pose of an element `camera` is never relative to a frame",
+        ),
+        Bad(
             '<sdf version="1.5"><model name="m"><link name="base">'
             '<pose frame="«tool»">0 0 1 0 0 0</pose></link></model></sdf>',
             scaffold="",
@@ -103,6 +114,9 @@ class UnknownFrame(Rule):
         name, scope = reference.name, reference.scope
         if scope is None:
             return
+        if is_unread(reference):
+            yield self.unread(reference)
+            return
         affects, cause = _affects(reference), scope.fault_of(name)
         guess = scope.guess(name, but=(reference.owner_element.attributes.get("name", ""),))
         message = f"`{reference.value.attribute}` names `{name}`, which is not a frame of {scope.title}"
@@ -123,12 +137,29 @@ class UnknownFrame(Rule):
         else:
             yield self.diagnostic(reference, message, affects=affects, cause=cause)
 
+    def unread(self, reference: FrameReference) -> Diagnostic:
+        """The warning about a pose that nobody works out."""
+        owner, attribute = reference.owner_element.name, reference.value.attribute
+        message = (
+            f"`{attribute}` names `{reference.name}`, and the pose of an element `{owner}` is never relative"
+        )
+        return self.diagnostic(
+            reference,
+            f"{message} to a frame",
+            help=f"remove `{attribute}`: write the pose in the frame around the element",
+            severity=Severity.WARNING,
+            affects={Consumer.GAZEBO: IN_PARENT, Consumer.DRAKE: accepts("ignores the part")},
+        )
+
+
+def is_unread(reference: FrameReference) -> bool:
+    """Does no consumer work out the pose that names it?"""
+    return reference.role == "relative_to" and reference.owner_element.name not in BUILT + PLACED
+
 
 def _affects(reference: FrameReference) -> dict[Consumer, Reaction]:
     owner = reference.owner_element.name
-    found: dict[Consumer, Reaction] = {}
-    if reference.role == "relative_to" and owner in INSIDE:
-        found[Consumer.GAZEBO] = refuses("refuses to place what is there")
-    if owner in ("sensor", "light"):
-        found[Consumer.DRAKE] = accepts("ignores the part")
-    return found
+    if reference.role != "relative_to" or owner in BUILT:
+        return {}
+    drake = {} if owner in SHAPES else {Consumer.DRAKE: accepts("ignores the part")}
+    return {Consumer.GAZEBO: IN_PARENT, **drake}

@@ -84,6 +84,12 @@ class OversizedShape(Rule):
             "</robot>",
             why="a floor",
         ),
+        Good(
+            '<visual><geometry><box size="1000 1000 10"/></geometry></visual>',
+            scaffold='<robot name="cart"><link name="world">{}</link><link name="a"/><joint name="j" type="continuous">'
+            '<origin xyz="0 0 0.3"/><parent link="world"/><child link="a"/></joint></robot>',
+            why="the ground below a cart",
+        ),
         Good('<visual><geometry><box size="300 0.05 0.05"/></geometry></visual>', why="a rail"),
     )
 
@@ -123,11 +129,15 @@ def written_size(shape: Shape) -> Value | None:
 
 
 def is_ground(shape: Shape, moving: Set[Link | None]) -> bool:
-    """Is it a flat shape of a link on which nothing moves, as the floor in a scene, or surely in meters, as a rail?"""
+    """Is it a flat shape of a link on which nothing moves, as the floor in a scene, or surely in meters, as a rail?
+
+    A link `world` is the ground of the robot, also where joints move on it.
+    """
     box = shape.geometry.box
     if box is None:
         return False
-    is_flat = shape.link not in moving and min(box.size) < FLAT * max(box.size)
+    is_fixed = shape.link not in moving or shape.link.name == "world"
+    is_flat = is_fixed and min(box.size) < FLAT * max(box.size)
     return is_flat or (shape.geometry.shape != "mesh" and min(box.size) < THIN)
 
 

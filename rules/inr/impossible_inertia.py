@@ -45,6 +45,13 @@ class ImpossibleInertia(Rule):
             says="1.70666666667e-06 > 8.53333333333e-07 + 8.53333333333e-07",
         ),
         Bad(
+            '<inertial><origin xyz="0 0.005 0.001"/><mass value="0.0128"/><inertia ixx="6.53141172142094E-07"'
+            ' ixy="-1.1293745176837E-07" ixz="-2.06371785964382E-08" iyy="2.25074855995339E-07"'
+            ' iyz="-1.15620016000655E-07" izz="«8.3591152010311E-07»"/></inertial>',
+            scaffold=IN_URDF_LINK,
+            says="8.57063774120273e-07 > 1.7628183242156e-07 + 6.8078194169871",
+        ),
+        Bad(
             "<inertial><mass>1</mass><inertia><ixx>«0.001»</ixx><iyy>0.001</iyy><izz>0.001</izz>"
             "<ixy>0.001</ixy><ixz>0.001</ixz><iyz>0.001</iyz></inertia></inertial>",
             says="0.003 > 0 + 0",

@@ -167,6 +167,8 @@ class MalformedValue(Rule):
             help=advice if is_template else None,
             affects=affects,
             severity=severity,
+            # In URDF the expression itself is the mistake.
+            cause=problem.span if is_template else None,
         )
 
     def empty(self, problem: problems.MalformedValue) -> Iterator[Diagnostic]:

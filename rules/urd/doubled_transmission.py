@@ -35,6 +35,13 @@ class DoubledTransmission(Rule):
             FIRST + TRANSMISSION.format("b", "Simple", "«shoulder»", "2"),
             says="transmission `b` drives joint `shoulder`, as transmission `a` does",
         ),
+        Bad(
+            '<link name="p"/><joint name="plate" type="fixed"><parent link="base"/><child link="p"/></joint>'
+            + TRANSMISSION.format("a", "Simple", "plate", "1")
+            + TRANSMISSION.format("b", "Simple", "«plate»", "2"),
+            says="transmission `b` drives joint `plate`, as transmission `a` does",
+            also=("URD011",),
+        ),
     )
     good = (
         Good(FIRST),

@@ -28,6 +28,12 @@ class UnexpandedExpression(Rule):
             '<visual><geometry><mesh filename="file://«$(find p)»/${m}.stl"/></geometry></visual>',
             says="`$(find p)` is not expanded, nor is 1 other expression",
         ),
+        Bad(
+            '<visual><geometry><sphere radius="«${r}»"/></geometry></visual></link><gazebo reference="base">'
+            '<sensor name="imu" type="imu"><update_rate>${rate}</update_rate></sensor></gazebo></robot>',
+            scaffold='<robot name="r"><link name="base">{}',
+            says="nor is 1 other expression",
+        ),
     )
     good = (
         Good("<!-- radius was ${r} -->", why="a comment"),
@@ -41,4 +47,5 @@ class UnexpandedExpression(Rule):
             message += (
                 f", nor {'is 1 other expression' if others == 1 else f'are {others} other expressions'}"
             )
-        yield self.diagnostic(problem.span, message, affects=unexpanded(problem.values))
+        repeats = [value.span for value in problem.values]
+        yield self.diagnostic(problem.span, message, affects=unexpanded(problem.values), repeats=repeats)

@@ -78,7 +78,8 @@ class UnknownTransmissionJoint(Rule):
 
 
 def fixed_joints(transmission: Transmission) -> list[tuple[Value, Joint]]:
-    """The joints that it is to drive and that do not move, with the places of their names."""
+    """The joints that it is the first to drive and that do not move, with the places of their names."""
     joints = transmission.model.driven
     named = ((value, joints.get(value.text)) for value in transmission.joint_names)
-    return [(value, joint) for value, joint in named if joint is not None and joint.is_fixed]
+    fixed = [(value, joint) for value, joint in named if joint is not None and joint.is_fixed]
+    return [(value, joint) for value, joint in fixed if joint.driver in {transmission, None}]

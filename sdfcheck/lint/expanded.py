@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left, bisect_right, insort
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain, islice
 from pathlib import Path
 from types import MappingProxyType
@@ -152,15 +152,17 @@ def _lint_variants(
     expander: Expander,
     known: Iterable[Diagnostic],
 ) -> Iterator[Diagnostic]:
-    """The errors that are in a robot only with another value of an argument, which each names.
+    """The findings that a robot has only with another value of an argument, which each names.
 
-    They are warnings for this file, and do not count for what a consumer does with it: a branch may be for another
-    consumer. An error counts if it is there with all other values as well: turned alone, an argument may leave out
-    what another one would bring. Where they cannot be expanded together, only what arguments switch on is tried.
+    These are errors, and warnings about what only that value brings. They are warnings for this file, and do not count
+    for what a consumer does with it: a branch may be for another consumer. A finding counts if it is there with all
+    other values as well: turned alone, an argument may leave out what another one would bring. Where they cannot be
+    expanded together, only what arguments switch on is tried.
     """
+    usual = _places(robot)
 
     def new(arguments: Mapping[str, str]) -> list[Diagnostic] | None:
-        found = _errors_with(arguments, document, robot, dispatch, expander)
+        found = _found_with(arguments, document, robot, usual, dispatch, expander)
         return found and [
             each for each in found if _where(each) not in seen and _where(each)[1:] not in repeated
         ]
@@ -175,8 +177,9 @@ def _lint_variants(
     for arguments in chain(turned, _nested(together or (), values, document)):
         if left is not None and left <= seen:
             return
-        errors = new(arguments) or []
-        for each in errors if len(errors) <= _MOST_ERRORS else ():
+        wrong = new(arguments) or []
+        is_meant = sum(each.severity is Severity.ERROR for each in wrong) <= _MOST_ERRORS
+        for each in wrong if is_meant else ():
             if left is None or _where(each) in left:
                 seen.add(_where(each))
                 given = " and ".join(f"`{name}:={value}`" for name, value in arguments.items())
@@ -209,14 +212,18 @@ def _nested(
             yield {name: value for name, value in values.items() if name in needed}
 
 
-def _errors_with(
+def _found_with(
     arguments: Mapping[str, str],
     document: Document,
     robot: ExpandedDocument,
+    usual: Set[tuple[str, int]],
     dispatch: Dispatch,
     expander: Expander,
 ) -> list[Diagnostic] | None:
-    """The errors of a robot with other arguments; None where it cannot be expanded, none where it is too large."""
+    """The errors of a robot with other arguments, and the warnings about elements that are not the ``usual`` ones.
+
+    None where it cannot be expanded, none where it is too large.
+    """
     expansion = expander.expand(document, arguments)
     expanded = expansion.document
     if expanded is None:
@@ -226,8 +233,27 @@ def _errors_with(
     if _has_links(robot) and not _has_links(expanded):
         return []  # the argument leaves the robot out, as it is meant to
     expanded.library = document.library
-    found = fold(settle(lint_document(expanded, dispatch.of_errors), expanded, document))
-    return [each for each in found if each.severity is Severity.ERROR]
+    brought = _places(expanded) - usual
+    found = fold(
+        settle(lint_document(expanded, dispatch if brought else dispatch.of_errors), expanded, document)
+    )
+
+    def counts(each: Diagnostic) -> bool:
+        at = expanded.provenance.last_before(each.span.source, each.span.start)
+        is_brought = at >= 0 and _place(expanded, at) in brought
+        return each.severity is Severity.ERROR or (each.severity is Severity.WARNING and is_brought)
+
+    return [each for each in found if counts(each)]
+
+
+def _places(document: ExpandedDocument) -> set[tuple[str, int]]:
+    """The files that the elements of an expansion are from, and where they begin there."""
+    return {_place(document, number) for number in range(len(document.elements))}
+
+
+def _place(document: ExpandedDocument, number: int) -> tuple[str, int]:
+    provenance = document.provenance
+    return str(provenance.source(number).path), provenance.offset(number)
 
 
 def _has_links(robot: ExpandedDocument) -> bool:

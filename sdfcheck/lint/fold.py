@@ -174,7 +174,9 @@ def with_consequences(found: Iterable[Diagnostic]) -> list[Diagnostic]:
         if (cause := each.cause) is None:
             return each
         near = starts[bisect_left(starts, cause.start) : bisect_right(starts, cause.end)]
-        return next((at[cause.source, start] for start in near if (cause.source, start) in at), each)
+        first = next((at[cause.source, start] for start in near if (cause.source, start) in at), each)
+        # Another expansion of the same place may be about another name.
+        return each if first.code == each.code and cause == each.span else first
 
     consequences: dict[int, list[Diagnostic]] = {}
     firsts = []

@@ -193,6 +193,9 @@ _PLAUSIBLE = (0.01, 10.0)
 _REACH = 5.0
 """So are centers of mass this near to the origin, and links without shapes whose mass is not farther out (m)."""
 
+_EDGE = 1e-7
+"""So near to the edge of what is possible it depends on the errors of libsdformat."""
+
 SOUND = 1
 """The numbers are those of a body of about the size of the link's shapes."""
 INSIDE = 2
@@ -287,7 +290,7 @@ def _possible(mass: str, *texts: str | None) -> tuple[float, ...]:
         return ()
     moments = tuple([float(text or 0) for text in texts])
     low, middle, high = Moments(*moments).principal()
-    return moments if low > 0 and low + middle >= high else ()
+    return moments if low > 0 and low + middle > high * (1 + _EDGE) else ()
 
 
 def _plausibility(mass: float, moments: tuple[float, ...], center: list[float], shapes: list[Element]) -> int:

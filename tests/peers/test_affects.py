@@ -32,7 +32,7 @@ ARGUED: dict[Consumer, dict[str, str]] = {
     Consumer.GAZEBO: {
         "FRM008 INR008 JNT003 JNT009 JNT012 NAM006 NS012 RES007 RES008 RES009 SCH001 SCH002 SCH005 URD014": TWELVE,
         "NAM001 NAM002-bad-2": "two of one name, which its checker alone refuses",
-        "FRM001-bad-1 JNT001-bad-3": "refused when poses and ends are resolved, which the check does not do",
+        "JNT001-bad-3": "refused when ends are resolved, which the check does not do",
         "RES004-bad-3": "what follows the scheme is looked for, and is not there",
         "XML010": "the depth that tinyxml2 follows is the distribution's",
         "RES002 RES003 RES010 RES012": "models are on its search path only if it is expected",

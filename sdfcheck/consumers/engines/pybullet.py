@@ -91,7 +91,8 @@ def with_packages(question: dict[str, Any]) -> str:
     """The file; a copy names the folders of packages, which PyBullet looks for above the file, by their own names."""
     path: str = question["path"]
     packages = question.get("packages", ())
-    if not question.get("is_copy") and all(Path(folder).name == name for name, folder in packages):
+    above = [folder / name for folder in Path(path).absolute().parents for name, _ in packages]
+    if not question.get("is_copy") and all(Path(folder) in above for _, folder in packages):
         return path
     text = Path(path).read_text("utf-8", "surrogateescape")
     for name, folder in packages:

@@ -63,8 +63,11 @@ def test_pybullet_finds_the_packages_of_a_copy(tmp_path: Path, monkeypatch: pyte
     monkeypatch.chdir(tmp_path)
     robot = tmp_path / "arm.urdf"
     robot.write_text('<mesh filename="package://arm/m.stl"/>')
-    question = {"path": str(robot), "packages": [("arm", "/robots/arm")]}
+    question = {"path": str(robot), "packages": [("arm", str(tmp_path / "arm"))]}
     assert with_packages(question) == str(robot)
+    question["packages"] = [("arm", "/robots/arm")]
+    other = Path(with_packages(question))
+    assert other.read_text() == '<mesh filename="/robots/arm/m.stl"/>', "it is not above the file"
     other = Path(with_packages({**question, "packages": [("arm", "/robots/a")]}))
     assert other.read_text() == '<mesh filename="/robots/a/m.stl"/>', "PyBullet goes by the names of folders"
     robot.write_text('<mesh filename="package://arm/m.stl"/><mesh filename="b.stl"/>')

@@ -309,3 +309,37 @@ def test_variants_of_a_large_robot_are_left_out(
     monkeypatch.setattr("sdfcheck.lint.expanded._MOST_ELEMENTS", 3)
     found = lint(expander, tmp_path / "r.urdf.xacro", CAMERA)
     assert not any(":=" in d.message for d in found)
+
+
+def test_a_warning_about_what_an_argument_brings_names_it(tmp_path: Path, expander: Expander) -> None:
+    wheel = (
+        '<link name="{0}"><collision><origin rpy="1.5708 0 0"/><geometry><cylinder radius="0.1" length="0.04"/>'
+        '</geometry></collision></link><joint name="{0}_joint" type="continuous"><origin xyz="0 {1} 0"/>'
+        '<parent link="base"/><child link="{0}"/><axis xyz="0 1 0"/></joint>'
+    )
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="ros" default="true"/>'
+        f'<link name="base"/>{wheel.format("left", 0.2)}{wheel.format("right", -0.2)}'
+        '<xacro:unless value="$(arg ros)"><xacro:include filename="drive.xacro"/></xacro:unless></robot>'
+    )
+    (tmp_path / "drive.xacro").write_text(
+        '<robot><gazebo><plugin name="drive" filename="libgazebo_ros_diff_drive.so">'
+        "<left_joint>left_joint</left_joint><right_joint>right_joint</right_joint>"
+        "<wheel_separation>0.4</wheel_separation><wheel_diameter>2</wheel_diameter></plugin></gazebo></robot>"
+    )
+    (found,) = (each for each in lint(expander, tmp_path / "r.urdf.xacro", text) if each.code == "GEO012")
+    assert (found.span.text, found.severity, found.affects) == ("2", Severity.WARNING, ())
+    assert found.message.endswith("says 2 (with `ros:=false`)")
+
+
+def test_names_that_calls_give_to_one_place_are_one_finding(tmp_path: Path, expander: Expander) -> None:
+    text = (
+        '<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro"><link name="base"/>'
+        '<xacro:macro name="driven" params="name"><joint name="${name}"><command_interface name="position"/></joint>'
+        '</xacro:macro><ros2_control name="arm" type="system"><hardware><plugin>a/B</plugin></hardware>'
+        '<xacro:driven name="first"/><xacro:driven name="second"/><xacro:driven name="third"/>'
+        "</ros2_control></robot>"
+    )
+    (found,) = (each for each in lint(expander, tmp_path / "r.urdf.xacro", text) if each.code == "URD012")
+    assert "joint `first`" in found.message
+    assert found.message.endswith("(in 3 expansions)")
