@@ -66,9 +66,6 @@ class MisspelledSemanticElement(Rule):
             message = f"there is no element `{name}` in MoveIt{used(len(uses))}"
             yield self.diagnostic(uses[0], message, meant=near, fix=rename(near, *uses))
         for (element, near), (value, is_needed) in semantics.misspelled_attributes.items():
-            at, message = (
-                value.name_span,
-                f"there is no attribute `{value.attribute}` in `{element.name}` of MoveIt",
-            )
-            severity = None if is_needed else Severity.WARNING
-            yield self.diagnostic(at, message, meant=near, fix=write_instead(near, at), severity=severity)
+            message = f"there is no attribute `{value.attribute}` in `{element.name}` of MoveIt"
+            fix, severity = write_instead(near, value.name_span), None if is_needed else Severity.WARNING
+            yield self.diagnostic(value.name_span, message, meant=near, fix=fix, severity=severity)

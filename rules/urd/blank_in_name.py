@@ -14,9 +14,7 @@ class BlankInName(Rule):
     code = "URD022"
     name = "blank-in-name"
     severity = Severity.INFO
-    remedy = """Remove a space around the name, replace one in it by an underscore.
-
-    All that refers to the name has to follow.
+    remedy = """Remove the space, or replace one inside the name by an underscore, and so in all that refers to it.
 
     Editors with the language server of sdfcheck rename both at once.
     """

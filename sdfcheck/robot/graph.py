@@ -3574,7 +3574,8 @@ class Model(Scope):
             each.name for block in self.ros2_control for each in block.components if each.what == "sensor"
         }
         known = {need.controller for _, need in self.controller_needs if need.name in self.control_joints}
-        left = set(self.control_joints) - {need.name for _, need in self.controller_needs}
+        named = {need.name for _, need in self.controller_needs}
+        left = [name for name in self.control_joints if name not in named]
         for plugin, need in self.controller_needs:
             if need.what == "sensor":
                 if sensors and need.name not in sensors:

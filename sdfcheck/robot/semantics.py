@@ -296,7 +296,8 @@ class Semantics:
             more = f" (and {len(limits) - 1} more)" * (len(limits) > 1)
             yield f"limits joint `{limits[0].name}`, {words}{more}", limits[0].span
             return
-        left = robot.joints_by_name.keys() - {each.name for each in limits}
+        known = {each.name for each in limits}
+        left = [name for name in robot.joints_by_name if name not in known]
         for each in unknown:
             if (near := nearest(each.name, left, self.document)) is not None:
                 yield f"limits joint `{each.name}`, {words}; there is `{near}`", each.span
@@ -630,10 +631,13 @@ class Semantics:
         """Element and attribute that srdfdom would read → the one in its place, and whether the element needs it."""
         found: dict[tuple[Element, str], tuple[Value, bool]] = {}
         for part, definition in self.parts:
-            for name in part.attributes.keys() - definition.attributes.keys():
-                left = [each for each in definition.attributes if each not in part.attributes]
-                near = suggest_in(self.document, name, left) if ":" not in name else None
-                if near is not None and (value := part.attribute(name)) is not None:
+            unknown = [
+                each for each in part.attributes if each not in definition.attributes and ":" not in each
+            ]
+            left = [each for each in definition.attributes if unknown and each not in part.attributes]
+            for name in unknown:
+                near, value = suggest_in(self.document, name, left), part.attribute(name)
+                if near is not None and value is not None:
                     found[part, near] = value, near in definition.required_attributes
         return found
 

@@ -42,7 +42,7 @@ ARGUED: dict[Consumer, dict[str, str]] = {
     Consumer.DRAKE: {
         "DRK009 DRK018 DRK022 MUJ001 MUJ002 RES001 RES004 RES006 RES013 URD006 URD007": f"{MISSING}; or: {REMOTE}",
         "RES002 RES009 RES010": "models are on its search path only if it is expected",
-        "RES003 RES005": MISSING,
+        "RES003 RES005 JNT020-good-0": MISSING,
         "FRM010 GAZ017": REMOTE,
         "RES012": "an empty setting of an include crashes libsdformat, and Drake with some of them",
         "SCH006 XML002": NOT_ONE,
