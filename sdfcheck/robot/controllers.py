@@ -572,7 +572,7 @@ def _readers(
         if not declared.get(name):
             yield name, entry, ("type",), reader
     known = {path.partition("/")[0] for path in paths}
-    for name, node in pairs(top):
+    for name, node in islice(pairs(top), _MOST_READ):
         if name.strip("/").partition("/")[0] not in known:
             yield name, node, (PARAMETERS,), "ROS 2"
     if manager is None:

