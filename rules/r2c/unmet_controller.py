@@ -15,6 +15,8 @@ BLOCK = (
 ROBOT = PLUGIN.format("«parameters»") + BLOCK
 SOUND = PLUGIN.format("parameters") + BLOCK
 TRAJECTORY = "joint_trajectory_controller/JointTrajectoryController"
+GROUP = "position_controllers/JointGroupPositionController"
+HAND = f"hand: {{ros__parameters: {{type: {GROUP}, joints: [tuner]}}}}\n"
 IMU = "imu_sensor_broadcaster/IMUSensorBroadcaster"
 
 
@@ -50,6 +52,14 @@ class UnmetController(Rule):
             "robot `r` has; there is `lift`",
         ),
         Bad(ROBOT, files=files("velocity_controllers/JointGroupVelocityController", "joints: [wheel]")),
+        Bad(
+            ROBOT.replace(
+                "</joint>", "</joint><joint name='turner'><command_interface name='position'/></joint>"
+            ),
+            files={"controllers.yaml": f"{files(GROUP, 'joints: [lift]')['controllers.yaml']}{HAND}"},
+            says="`hand` of `controllers.yaml` asks for joint `tuner`, which no `ros2_control` block of robot `r` has",
+            also=("URD012",),
+        ),
         Bad(
             ROBOT,
             files=files(IMU, "sensor_name: imu_sensor, frame_id: imu"),

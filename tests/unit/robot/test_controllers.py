@@ -251,6 +251,14 @@ SRDF = '<robot name="r"><group name="all"><joint name="lift"/></group></robot>'
             },
             [],
         ),
+        (
+            {
+                "moveit_controllers.yaml": MOVEIT.format("arms", "[finger]").replace(
+                    "FollowJointTrajectory", "GripperCommand"
+                )
+            },
+            ["sends joint `finger`, which robot `r` does not have"],
+        ),
     ],
 )
 def test_names_in_files_of_moveit(files: dict[str, str], expected: list[str], tmp_path: Path) -> None:
