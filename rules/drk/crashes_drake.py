@@ -35,7 +35,7 @@ class CrashesDrake(Rule):
 
     An empty type of a transmission is a segmentation fault; most others are assertions, which end a
     C++ program and tell no place in the file. A negative damping is refused, and so is a file that
-    holds neither exactly one model nor exactly one world.
+    holds neither exactly one model nor exactly one world, or whose model has a `namespace`.
     """
 
     code = "DRK015"
@@ -101,12 +101,22 @@ class CrashesDrake(Rule):
             scaffold="",
         ),
         Bad(
+            '<sdf version="1.12"><model name="m" namespace="«n»"><link name="l"/></model></sdf>',
+            says="`namespace` of a model: Drake refuses the file",
+            scaffold="",
+        ),
+        Bad(
             '<sdf version="1.9"><world name="w"/><«world» name="v"/></sdf>',
             says="a second world: Drake refuses the file",
             scaffold="",
         ),
     )
     good = (
+        Good(
+            '<sdf version="1.12"><model name="m"><plugin name="p" filename="f"><namespace>n</namespace></plugin>'
+            '<link name="l"/></model></sdf>',
+            scaffold="",
+        ),
         Good(
             '<transmission><type>SimpleTransmission</type><joint name="j"/><actuator name="m"/>'
             "</transmission>",
@@ -135,6 +145,9 @@ Found = Iterator[tuple[Target, str, Reaction, str | None]]
 def _root(root: Root) -> Found:
     if (found := unread(root)) is not None:
         yield *found, REFUSES, None
+    for model in root.elements.get("model", ()) if not root.is_urdf else ():
+        if (given := model.attribute("namespace")) is not None:
+            yield given, "`namespace` of a model", REFUSES, "remove it; Drake names parts by their models"
     named: set[str] = set()
     for transmission in root.models[0].transmissions if root.is_urdf else ():
         name = _actuator(transmission)

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, ControlInterface, Diagnostic, Good, Rule, Severity
+from sdfcheck import Bad, ControlComponent, ControlInterface, Diagnostic, Good, Ros2Control, Rule, Severity
+from sdfcheck_rules.r2c.alike import alike
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 BLOCK = (
@@ -9,6 +10,11 @@ BLOCK = (
     '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     "<parameters>controllers.yaml</parameters></plugin></gazebo>"
 )
+SLIDE = (
+    '<link name="e"/><joint name="slide" type="prismatic"><parent link="a"/><child link="e"/>'
+    '<limit lower="0" upper="1" effort="5" velocity="2"/></joint>'
+)
+TAKEN = '<joint name="slide"><command_interface name="effort"/><state_interface name="position"/></joint>'
 MANAGER = "controller_manager:\n  ros__parameters:\n    {}:\n      type: {}\n"
 TRAJECTORY = (
     MANAGER.format("arm", "joint_trajectory_controller/JointTrajectoryController")
@@ -41,7 +47,7 @@ class UncommandedJoint(Rule):
 
     A joint may have several command interfaces, of which each controller claims its own.
     """
-    looks_at = (ControlComponent,)
+    looks_at = (Ros2Control,)
     needs = ("<parameters",)
     scaffold = IN_ROBOT
 
@@ -52,6 +58,11 @@ class UncommandedJoint(Rule):
             says="joint `lift` takes `effort`, and controller `arm` commands `position`",
         ),
         Bad(BLOCK.format("«position»"), files={"controllers.yaml": SECOND}),
+        Bad(
+            SLIDE + BLOCK.format("«effort»").replace("</ros2_control>", TAKEN + "</ros2_control>"),
+            files={"controllers.yaml": TRAJECTORY.format("position").replace("[lift]", "[lift, slide]")},
+            says="joint `lift` and 1 more take `effort`, and controller `arm` commands `position`",
+        ),
     )
     good = (
         Good(BLOCK.format("position"), files={"controllers.yaml": TRAJECTORY.format("position")}),
@@ -64,15 +75,16 @@ class UncommandedJoint(Rule):
     )
 
     @staticmethod
-    def applies(component: ControlComponent) -> bool:
-        return component.what == "joint" and is_uncommanded(component)
+    def applies(block: Ros2Control) -> bool:
+        return any(map(command, block.components))
 
-    def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
-        own = commands(component)
-        taken = " and ".join(f"`{each.name}`" for each in own)
-        claim = next(claim for claim in component.claims if claim.is_command)
-        message = f"{component.title} takes {taken}, and controller `{claim.controller}` commands `{claim.interface}`"
-        yield self.diagnostic(own[0].name_value or own[0], message)
+    def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
+        for (taken, controller, interface), joints in alike(block, command).items():
+            others = "" if len(joints) == 1 else f" and {len(joints) - 1} more"
+            verb = "take" if others else "takes"
+            message = f"{joints[0].title}{others} {verb} {taken}, and controller `{controller}` commands `{interface}`"
+            places = [own.name_value or own for own in map(first_command, joints) if own is not None]
+            yield self.diagnostic(places[0], message, repeats=places[1:])
 
 
 def commands(component: ControlComponent) -> list[ControlInterface]:
@@ -80,8 +92,15 @@ def commands(component: ControlComponent) -> list[ControlInterface]:
     return [each for each in component.interfaces if each.is_command and each.is_readable]
 
 
-def is_uncommanded(component: ControlComponent) -> bool:
-    """Do its controllers command nothing that it takes?"""
-    own = {each.name.removesuffix("_pid") for each in commands(component)}
-    wanted = {claim.interface for claim in component.claims if claim.is_command} if own else set()
-    return bool(wanted) and wanted.isdisjoint(own)
+def first_command(component: ControlComponent) -> ControlInterface | None:
+    return next(iter(commands(component)), None)
+
+
+def command(component: ControlComponent) -> tuple[str, str, str] | None:
+    """The commands that a joint takes, and a controller with its own, if all controllers give it others."""
+    own = commands(component)
+    wanted = [claim for claim in component.claims if claim.is_command] if own else []
+    names = {each.name.removesuffix("_pid") for each in own}
+    if not wanted or not names.isdisjoint(claim.interface for claim in wanted):
+        return None
+    return " and ".join(f"`{each.name}`" for each in own), wanted[0].controller, wanted[0].interface

@@ -1,6 +1,7 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Rule, Severity
+from sdfcheck import Bad, ControlComponent, Diagnostic, Good, Ros2Control, Rule, Severity
+from sdfcheck_rules.r2c.alike import alike
 from sdfcheck_rules.r2c.scaffold import IN_ROBOT
 
 BLOCK = (
@@ -45,7 +46,7 @@ class UnmeasuredJoint(Rule):
 
     Simulators have `position`, `velocity` and `effort` of each joint, as far as they are listed.
     """
-    looks_at = (ControlComponent,)
+    looks_at = (Ros2Control,)
     needs = ("<parameters",)
     scaffold = IN_ROBOT
 
@@ -72,29 +73,36 @@ class UnmeasuredJoint(Rule):
     )
 
     @staticmethod
-    def applies(component: ControlComponent) -> bool:
-        return component.what == "joint" and bool(unmeasured(component))
+    def applies(block: Ros2Control) -> bool:
+        return is_idle(block) or any(map(unmeasured, block.components))
 
-    def check(self, component: ControlComponent) -> Iterator[Diagnostic]:
-        controller, interface = unmeasured(component)
-        message = f"no joint has a state, so that controller `{controller}` has nothing to publish"
-        if interface:
-            message = f"{component.title} has no state `{interface}`, which controller `{controller}` reads"
-        yield self.diagnostic(component.name_value or component, message)
+    def check(self, block: Ros2Control) -> Iterator[Diagnostic]:
+        if is_idle(block):
+            first = block.components[0]
+            idle = f"controller `{block.model.idle_broadcaster}` has nothing to publish"
+            yield self.diagnostic(first.name_value or first, f"no joint has a state, so that {idle}")
+            return
+        for (controller, interface), joints in alike(block, unmeasured).items():
+            others = " has" if len(joints) == 1 else f" and {len(joints) - 1} more have"
+            message = (
+                f"{joints[0].title}{others} no state `{interface}`, which controller `{controller}` reads"
+            )
+            places = [each.name_value or each for each in joints]
+            yield self.diagnostic(places[0], message, repeats=places[1:])
 
 
-def unmeasured(component: ControlComponent) -> tuple[str, ...]:
-    """A controller and the state that it does not find, where all controllers that read states lack one.
+def is_idle(block: Ros2Control) -> bool:
+    """Is it the first block of a robot without a state, which a broadcaster of states is to publish?"""
+    return (
+        bool(block.model.idle_broadcaster) and bool(block.components) and block is block.model.ros2_control[0]
+    )
 
-    Without a state the controller publishes all that it finds, which is nothing.
-    """
-    if (idle := component.model.idle_broadcaster) and component is component.block.model.ros2_control[
-        0
-    ].components[0]:
-        return (idle, "")
+
+def unmeasured(component: ControlComponent) -> tuple[str, str] | None:
+    """A controller and the state that it does not find, where all controllers that read states lack one."""
     own = {each.name for each in component.interfaces if not each.is_command}
-    reads = [claim for claim in component.claims if not claim.is_command]
+    reads = [claim for claim in component.claims if not claim.is_command] if own else []
     lacking = {claim.controller: claim.interface for claim in reversed(reads) if claim.interface not in own}
-    if not own or not lacking or any(claim.controller not in lacking for claim in reads):
-        return ()
-    return (reads[0].controller, lacking[reads[0].controller])
+    if not lacking or any(claim.controller not in lacking for claim in reads):
+        return None
+    return reads[0].controller, lacking[reads[0].controller]

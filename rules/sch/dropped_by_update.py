@@ -13,7 +13,7 @@ class DroppedByUpdate(Rule):
 
     libsdformat and Drake convert a file to the newest version of SDFormat before they read it. Most of what went out of
     the format on the way is translated; `initial_position` of an axis and `relative_to` in the pose of an inertial are
-    not: Gazebo warns and ignores them, and Drake refuses the file.
+    not, nor `frame`, as it is called before 1.7: Gazebo warns and ignores them, and Drake refuses the file.
     """
 
     code = "SCH031"
@@ -37,10 +37,18 @@ class DroppedByUpdate(Rule):
             scaffold=INERTIAL,
             says="`relative_to` in the pose of an inertial is not in SDFormat 1.8",
         ),
+        Bad(
+            '<inertial><pose «frame»="base">0 0 0 0 0 0</pose></inertial>',
+            scaffold=INERTIAL.replace("1.7", "1.6"),
+            says="`frame` in the pose of an inertial is not in SDFormat 1.8",
+        ),
     )
     good = (
         Good("<axis><xyz>0 0 1</xyz></axis>"),
         Good("<inertial><pose>0 0 0 0 0 0</pose></inertial>", scaffold=INERTIAL),
+        Good(
+            '<inertial><pose frame="">0 0 0 0 0 0</pose></inertial>', scaffold=INERTIAL.replace("1.7", "1.6")
+        ),
     )
 
     @staticmethod
@@ -53,12 +61,17 @@ class DroppedByUpdate(Rule):
             found.setdefault(element.name, []).append(element)
         for name, (first, *others) in found.items():
             times = used(1 + len(others))
-            if name == "pose":
-                message = f"`relative_to` in the pose of an inertial{times} is not in SDFormat 1.8"
-                yield self.diagnostic(first.document.spans.attribute_name(first, "relative_to"), message)
+            if (frame := frame_of(root)) and name == "pose":
+                message = f"`{frame}` in the pose of an inertial{times} is not in SDFormat 1.8"
+                yield self.diagnostic(first.document.spans.attribute_name(first, frame), message)
             else:
                 message = f"`{name}`{times} is not in SDFormat {OLD}, and nothing takes its place"
                 yield self.diagnostic(first, message)
+
+
+def frame_of(root: Root) -> str | None:
+    """The attribute by which a pose names its frame in the file's version, if inertials have lost it since."""
+    return "frame" if root.is_older_than("1.7") else "relative_to" if root.is_older_than("1.8") else None
 
 
 def dropped(root: Root) -> Iterator[Element]:
@@ -66,12 +79,8 @@ def dropped(root: Root) -> Iterator[Element]:
     for element in root.elements.get("initial_position", ()):
         if element.parent is not None and element.parent.name in {"axis", "axis2"}:
             yield element
-    if (
-        "relative_to" in root.document.source.text
-        and not root.is_older_than("1.7")
-        and root.is_older_than("1.8")
-    ):
+    if (frame := frame_of(root)) and f"{frame}=" in root.document.source.text:
         for inertial in root.elements.get("inertial", ()):
             pose = inertial.find("pose")
-            if pose is not None and pose.attribute("relative_to") is not None:
+            if pose is not None and pose.text_of(frame):
                 yield pose

@@ -23,13 +23,13 @@ from sdfcheck.cli.parts.descriptions import (
 from sdfcheck.cli.parts.options import formatted, limited, require_file, targeted, written
 from sdfcheck.cli.parts.output import deliver, deliver_lines
 from sdfcheck.cli.parts.terminal import say, wants_color, width_of
-from sdfcheck.consumers.reaction import READS, UNFOUND, Consumer, Verdict
+from sdfcheck.consumers.reaction import UNFOUND, Consumer, Verdict
 from sdfcheck.files.library import Library
 from sdfcheck.files.regular import read_named
 from sdfcheck.lint.diagnostic import counted
 from sdfcheck.lint.session import Level, Notice, Options
 from sdfcheck.lint.session import run as lint
-from sdfcheck.lint.targets import NO_SDF, Reason, Row, matrix
+from sdfcheck.lint.targets import Reason, Row, matrix, without_sdf
 from sdfcheck.report.colors import Ink, painter
 from sdfcheck.report.paths import Paths
 from sdfcheck.source.document import Document, Element, read
@@ -153,9 +153,7 @@ def verdicts(file: Path, consumers: Sequence[Consumer], around: SearchContext) -
     is_sdf = document.root.name == "sdf"
     if not (is_robot(document) and (is_sdf or may_have_links(document))):
         return _unread(rows, _PART)
-    return tuple(
-        row if not is_sdf or "sdf" in READS[row.consumer] else _unread([row], NO_SDF)[0] for row in rows
-    )
+    return tuple((is_sdf and without_sdf(row.consumer)) or row for row in rows)
 
 
 def _unread(rows: Sequence[Row], note: str) -> tuple[Row, ...]:

@@ -60,10 +60,14 @@ _WITHOUT_IT = warns("builds the robot without it")
 
 
 def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
-    """Reactions to a value that is malformed, or to a part that is missing; none in SDFormat."""
+    """Reactions to a value that is malformed, or to a part that is missing; none in SDFormat.
+
+    But for a flag that is true or left out when libsdformat brings a file up to the newest version.
+    """
     element = at.element if isinstance(at, Value) else at
     if element.document.kind is Kind.SDF:
-        return {}
+        consumers = (Consumer.GAZEBO, Consumer.DRAKE) if element.name == "use_parent_model_frame" else ()
+        return dict.fromkeys(consumers, warns("takes `false`"))
     place = _place(element)
     if "gazebo" in place:
         parent = element.parent

@@ -17,7 +17,6 @@ from sdfcheck.source.sniff import Kind
 # Which consumer accepts a file: what the diagnostics say of consumers, turned around.
 
 _DRAKE_ENDINGS = (".sdf", ".urdf")
-NO_SDF = "it does not know SDFormat"
 _WORST_FIRST = tuple(reversed(Verdict))
 
 
@@ -49,7 +48,18 @@ def matrix(
     )
 
 
+def without_sdf(consumer: Consumer) -> Row | None:
+    """The row for an SDFormat file of a consumer that does not read SDFormat, or whose reading nobody measured."""
+    if "sdf" in READS[consumer]:
+        return None
+    if consumer is Consumer.PYBULLET:
+        return Row(consumer, Verdict.UNMEASURED, (), "nobody has measured what its loadSDF does")
+    return Row(consumer, Verdict.UNREAD, (), "it does not know SDFormat")
+
+
 def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
+    if kind is Kind.SDF and (row := without_sdf(consumer)) is not None:
+        return row
     if unread := _unread(kind, path, consumer):
         return Row(consumer, Verdict.UNREAD, (), unread)
     reasons = [
@@ -68,8 +78,6 @@ def _row(run: Run, kind: Kind, path: Path, consumer: Consumer) -> Row:
 
 def _unread(kind: Kind, path: Path, consumer: Consumer) -> str:
     """Why a consumer does not even open a file; of xacro, what counts is what it expands to."""
-    if kind is Kind.SDF and "sdf" not in READS[consumer]:
-        return NO_SDF
     if consumer is Consumer.DRAKE and kind is not Kind.XACRO and path.suffix.lower() not in _DRAKE_ENDINGS:
         return "it goes by the name of the file, which must end in .sdf or .urdf"
     return ""

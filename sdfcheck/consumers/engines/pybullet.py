@@ -1,4 +1,4 @@
-"""PyBullet: its importer of URDF, and its simulation."""
+"""PyBullet: its importers of URDF and SDFormat, and its simulation."""
 
 from __future__ import annotations
 
@@ -42,10 +42,13 @@ class Loaded:
         # Not URDF_MAINTAIN_LINK_ORDER: with it PyBullet 3.2.7 writes beyond an array of large robots.
         flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_USE_SELF_COLLISION
         try:
-            self.robot = bullet.loadURDF(
-                with_packages(question), useFixedBase=held, flags=flags, physicsClientId=self.client
-            )
-        except bullet.error as error:
+            if question["path"].endswith((".sdf", ".world")):
+                self.robot = bullet.loadSDF(question["path"], physicsClientId=self.client)[0]
+            else:
+                self.robot = bullet.loadURDF(
+                    with_packages(question), useFixedBase=held, flags=flags, physicsClientId=self.client
+                )
+        except (bullet.error, IndexError) as error:
             raise Refused(str(error)) from None
         if gravity:
             bullet.setGravity(0, 0, -9.81, physicsClientId=self.client)
