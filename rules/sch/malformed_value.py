@@ -2,6 +2,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from sdfcheck import (
     IN_COLLISION,
+    IN_JOINT,
     IN_LINK,
     IN_URDF_LINK,
     Bad,
@@ -106,6 +107,11 @@ class MalformedValue(Rule):
             says="`degrees` should be true or false",
         ),
         Bad("<geometry><mesh><«uri»/></mesh></geometry>", scaffold=IN_COLLISION, says="`uri` is empty"),
+        Bad(
+            "<axis><xyz>0 0 1</xyz><use_parent_model_frame>«maybe»</use_parent_model_frame></axis>",
+            scaffold=IN_JOINT.replace("1.12", "1.6"),
+            says="`use_parent_model_frame` should be true or false, not `maybe`",
+        ),
         Bad("<«mass»></mass>", scaffold=INERTIAL, says="`mass` is empty, so 1.0 is taken"),
         Bad(
             '<«mass» value="2"/>',

@@ -60,14 +60,10 @@ _WITHOUT_IT = warns("builds the robot without it")
 
 
 def unreadable(at: Element | Value) -> Mapping[Consumer, Reaction]:
-    """Reactions to a value that is malformed, or to a part that is missing; none in SDFormat.
-
-    But for a flag that is true or left out when libsdformat brings a file up to the newest version.
-    """
+    """Reactions to a value that is malformed, or to a part that is missing; none in SDFormat."""
     element = at.element if isinstance(at, Value) else at
     if element.document.kind is Kind.SDF:
-        consumers = (Consumer.GAZEBO, Consumer.DRAKE) if element.name == "use_parent_model_frame" else ()
-        return dict.fromkeys(consumers, warns("takes `false`"))
+        return {}
     place = _place(element)
     if "gazebo" in place:
         parent = element.parent

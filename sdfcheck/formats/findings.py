@@ -320,7 +320,9 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     elif not definition.accepts(value.text) and (
         newest.type != definition.type or not newest.accepts(value.text)
     ):
-        yield from judge(value, definition, read_at(definition, value.text))
+        reading = read_at(definition, value.text)
+        refused = reading.refused and history.is_read(definition)
+        yield from judge(value, definition, reading._replace(refused=refused))
 
 
 def _exclude_each_other(rotation: Value, degrees: Value) -> bool:

@@ -109,6 +109,16 @@ def carried_over(parent: Definition, name: str, version: Version) -> bool:
     return any(last is not None and last >= version for last in rules)
 
 
+def is_read(definition: Definition) -> bool:
+    """Whether consumers look at a value at all, which bring a document up to the newest version before.
+
+    A flag that went out becomes something else if it is true.
+    """
+    moved = (place for place, _ in _notes(definition, "moved"))
+    is_known = in_version(definition, NEWEST) is not None
+    return is_known or (definition.type != "bool" and definition.place in moved)
+
+
 def known_places(name: str) -> tuple[Place, ...]:
     """All places, in any version, at which an element or an ``@attribute`` of a name is."""
     return _places().get(name, ())

@@ -112,6 +112,22 @@ def test_carried_over(parent: str, name: str, version: str, carried: bool) -> No
     assert history.carried_over(at("1.12", parent), name, parsed) is carried
 
 
+@pytest.mark.parametrize(
+    ("version", "parent", "name", "is_read"),
+    [
+        ("1.6", "joint:joint/axis", "initial_position", False),
+        ("1.6", "joint:joint/axis", "use_parent_model_frame", False),
+        ("1.6", "joint:joint/physics/ode", "provide_feedback", False),
+        ("1.5", "physics:physics", "gravity", True),
+        ("1.6", "joint:joint/axis", "xyz", True),
+    ],
+)
+def test_values_that_the_newest_version_has_no_place_for(
+    version: str, parent: str, name: str, is_read: bool
+) -> None:
+    assert history.is_read(at(version, parent).children[name]) is is_read
+
+
 def test_places_of_a_name() -> None:
     assert history.known_parents("radius") == ("capsule", "cone", "cylinder", "sonar", "sphere")
     assert history.known_parents("lower") == ("joint/axis/limit", "joint/axis2/limit")
