@@ -311,8 +311,8 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     elif not value.text:
         # An empty pose is a usual way to leave it at the default; an empty number is not. Its children are reported.
         is_split = any(":" not in child.name for child in element.children())
-        if definition.needs_value or not (is_split or definition.type in {"pose", "string"}):
-            yield problems.MalformedValue(value, definition, read_at(definition, ""), element.span)
+        if newest.needs_value or not (is_split or definition.type in {"pose", "string"}):
+            yield problems.MalformedValue(value, definition, read_at(newest, ""), element.span)
     elif cut := cut_text(element):
         yield problems.CutText(value, cut)
     elif rotation is not None:

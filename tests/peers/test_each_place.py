@@ -13,7 +13,7 @@ from sdfcheck import Consumer
 from sdfcheck.consumers.engines import RUN_BY, is_installed
 from sdfcheck.formats.schema import NOT_GIVEN, Definition
 from sdfcheck.formats.sdf.schema import schema
-from sdfcheck.formats.version import NEWEST
+from sdfcheck.formats.version import NEWEST, Version
 from tests.peers.consumers import loads
 from tests.peers.differences import refusal
 
@@ -43,6 +43,9 @@ KNOWN = frozenset(
     )
 )
 """Verdicts that are not as predicted."""
+OLD = Version(1, 6)
+STATE = "world/state/"
+"""Up to 1.11 its models are called otherwise, and nobody reads them."""
 
 GAZEBO = RUN_BY[Consumer.GAZEBO]
 pytestmark = [
@@ -80,7 +83,7 @@ def written(element: Definition, child: str | None = None, **given: str) -> str:
 def _usual(element: Definition, name: str, child: str | None) -> str:
     known = element.attributes[name]
     if name == "version":
-        return str(NEWEST)
+        return str(element.version)
     if name == "type" and element.name in {"joint", "light", "sensor"}:
         listed = child if element.name == "sensor" and child in known.listed else None
         return TYPES.get((element.name, child)) or listed or TYPES[element.name, None]
@@ -139,13 +142,13 @@ def written_out(found: Sequence[Place], folder: Path) -> dict[Path, tuple[Place,
     return files
 
 
-def test_each_place(tmp_path: Path) -> None:
-    root = schema(NEWEST).root
+@pytest.mark.parametrize("version", [NEWEST, OLD], ids=str)
+def test_each_place(version: Version, tmp_path: Path) -> None:
+    root = schema(version).root
     seen: set[str] = set()
     # Models first: where a part of one is elsewhere, not all of it is read.
     children = sorted(root.children.values(), key=lambda each: each.name != "model")
-    found = [place for child in children for place in places(child, (root,), seen)]
-    files = written_out(found, tmp_path)
+    files = written_out([place for child in children for place in places(child, (root,), seen)], tmp_path)
     taken = loads(GAZEBO, list(files))
     sound = {place for path, (place, change) in files.items() if not change and taken[path]}
     assert len(sound) > 300
@@ -159,4 +162,5 @@ def test_each_place(tmp_path: Path) -> None:
             is None
         )
     }
-    assert differing <= KNOWN, "\n".join(sorted(differing - KNOWN))
+    found = {each for each in differing - KNOWN if version is NEWEST or not each.startswith(STATE)}
+    assert not found, "\n".join(sorted(found))
