@@ -15,6 +15,9 @@ ROBOTS = Path(__file__).parents[1] / "fixtures" / "robots"
 OF_ROS = ("sdfcheck.robot.bridges", "sdfcheck.robot.ros_files", "sdfcheck.xacro.static.launches")
 HEAVY = (
     *OF_ROS,
+    "sdfcheck.formats.findings",
+    "sdfcheck.robot.semantics",
+    "sdfcheck.robot.vendor",
     "dataclasses",
     "difflib",
     "lxml",

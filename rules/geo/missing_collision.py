@@ -138,9 +138,9 @@ class MissingCollision(Rule):
 
     @staticmethod
     def applies(part: Model | Semantics) -> bool:
-        if isinstance(part, Semantics):
-            return part.element.has("disable_collisions") and part.bare_robot is not None
-        return bool(lacking(part)) or bool(wheels(part))
+        if isinstance(part, Model):
+            return bool(lacking(part)) or bool(wheels(part))
+        return part.element.has("disable_collisions") and part.bare_robot is not None
 
     def check(self, part: Model | Semantics) -> Iterator[Diagnostic]:
         if isinstance(part, Semantics):

@@ -76,7 +76,7 @@ class WheelAcrossAxis(Rule):
 
     @staticmethod
     def applies(joint: Joint) -> bool:
-        return 0 <= alignment(joint) < MOST
+        return 0 <= alignment(joint) < MOST and not joint.misnamed("axis")
 
     def check(self, joint: Joint) -> Iterator[Diagnostic]:
         link = joint.child_link
@@ -110,7 +110,7 @@ def along(shape: Shape, joint: Joint) -> float:
 
 def alignment(joint: Joint) -> float:
     """The cosine of the angle between the axis of a joint and the wheel that it turns; -1 where there is no wheel."""
-    if joint.misnamed("axis") or (joint.axis.is_given and joint.axis.xyz.value is None):
+    if joint.axis.is_given and joint.axis.xyz.value is None:
         return -1.0
     link = joint.child_link if joint.type in {"continuous", "revolute"} else None
     shapes = shapes_of(link) if link is not None else ()

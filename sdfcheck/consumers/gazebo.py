@@ -458,7 +458,8 @@ def _failing(document: Document) -> frozenset[Element]:
 
 
 def _is_failing(element: Element) -> bool:
-    from sdfcheck.formats.urdf.findings import as_written, definition, read
+    from sdfcheck.formats.urdf.findings import as_written, read
+    from sdfcheck.formats.urdf.schema import definition
 
     place = None if element.name == "color" else definition(element)
     known = place.attributes if place is not None else {}

@@ -37,7 +37,7 @@ def models(document: Document) -> list[Model]:
 def belongs(element: Element) -> bool:
     """Does the format have an element of that name at that place?"""
     if element.document.kind is Kind.URDF:
-        from sdfcheck.formats.urdf.findings import definition as urdf_definition
+        from sdfcheck.formats.urdf.schema import definition as urdf_definition
 
         return urdf_definition(element) is not None
     from sdfcheck.formats.schema import Definition

@@ -30,7 +30,7 @@ from sdfcheck.formats.sdf.values import read_at
 from sdfcheck.formats.topology import Displaced, standard_inside
 from sdfcheck.formats.version import NEWEST, Version
 from sdfcheck.source.document import Aside, Document, Element, Spans, Value
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import Span, pattern
 
 MOST = 10
 """So many unknown attributes of one element are reported one by one."""
@@ -312,7 +312,8 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
         # An empty pose is a usual way to leave it at the default; an empty number is not. Its children are reported.
         is_split = any(":" not in child.name for child in element.children())
         if newest.needs_value or not (is_split or definition.type in {"pose", "string"}):
-            yield problems.MalformedValue(value, definition, read_at(newest, ""), element.span)
+            reading = _as_read(definition, read_at(newest, ""))
+            yield problems.MalformedValue(value, definition, reading, element.span)
     elif cut := cut_text(element):
         yield problems.CutText(value, cut)
     elif rotation is not None:
@@ -320,9 +321,12 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
     elif not definition.accepts(value.text) and (
         newest.type != definition.type or not newest.accepts(value.text)
     ):
-        reading = read_at(definition, value.text)
-        refused = reading.refused and history.is_read(definition)
-        yield from judge(value, definition, reading._replace(refused=refused))
+        yield from judge(value, definition, _as_read(definition, read_at(definition, value.text)))
+
+
+def _as_read(definition: Definition, reading: Reading) -> Reading:
+    """How a text is read that perhaps no consumer looks at."""
+    return reading._replace(refused=reading.refused and history.is_read(definition))
 
 
 def _exclude_each_other(rotation: Value, degrees: Value) -> bool:
@@ -368,7 +372,7 @@ def _choice(value: Value, definition: RowInVersion, reading: Reading) -> Iterato
 
 # Texts that an element holds in several pieces, and which of them consumers ignore.
 
-_PIECE = re.compile(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)
+_PIECE = pattern(r"<!--.*?(?:-->|\Z)|<!\[CDATA\[.*?(?:\]\]>|\Z)|<\?.*?(?:\?>|\Z)|([^<]+)|<", re.DOTALL)
 
 
 def part(value: Value, start: int, end: int) -> Span:

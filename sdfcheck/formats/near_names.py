@@ -8,6 +8,8 @@ from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from sdfcheck.source.text import pattern
+
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
 
@@ -41,7 +43,7 @@ class Effort:
         self._left -= cells
 
 
-_UNIT = re.compile(r"_(?:kg|m|rad|s|sec|hz|n|nm)$", re.IGNORECASE)
+_UNIT = pattern(r"_(?:kg|m|rad|s|sec|hz|n|nm)$", re.IGNORECASE)
 """The units of the formats, which no name says."""
 
 
@@ -147,8 +149,8 @@ def _fold(name: str) -> str:
 # The name that was probably meant by one that does not exist: of links, packages, commands, options, rules.
 
 
-_DIGIT = re.compile(r"\d")
-_WORD = re.compile(r"[^\W\d_]+|\d+")
+_DIGIT = pattern(r"\d")
+_WORD = pattern(r"[^\W\d_]+|\d+")
 _LONG = 4
 """Letters of a word of which others are taken for misspellings: `arm` and `arc` are two names."""
 _TRIES = 3

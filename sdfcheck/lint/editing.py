@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from sdfcheck.files.overwrite import overwrite
 from sdfcheck.files.regular import read_named
-from sdfcheck.formats.urdf.findings import definition
+from sdfcheck.formats.urdf.schema import definition
 from sdfcheck.lint.diagnostic import named
 from sdfcheck.lint.targets import errors
 from sdfcheck.robot.graph import Model, Scope

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -203,9 +202,6 @@ class Caches:
                     yield document
 
 
-_EXPRESSION = re.compile(rb"\$[({]")
-
-
 def lint_file(
     file: Selected, book: RuleBook, settings: Settings, caches: Caches, *, variants: bool = True
 ) -> tuple[Sequence[Diagnostic], int]:
@@ -213,7 +209,9 @@ def lint_file(
     # The parser knows what broken XML was meant to be.
     kind = None if file.kind is Kind.BROKEN_XML else file.kind
     # The process of the expansion gets ready while the rest is loaded here.
-    is_expanded = kind in {Kind.XACRO, Kind.SRDF} or (kind is Kind.URDF and _EXPRESSION.search(file.data))
+    is_expanded = kind in {Kind.XACRO, Kind.SRDF} or (
+        kind is Kind.URDF and (b"$(" in file.data or b"${" in file.data)
+    )
     xacro = caches.xacro(settings, file.path)._replace(variants=variants) if is_expanded else None
     dispatch, library = book.dispatch(settings, file.path), caches.library(settings)
     result = lint_source(file.data, file.path, kind, dispatch, library, xacro)

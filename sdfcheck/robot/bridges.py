@@ -30,7 +30,7 @@ from sdfcheck.robot.ros_files import (
 )
 from sdfcheck.source.document import Document, Value
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, pattern
 from sdfcheck.xacro.language import syntax_tree
 from sdfcheck.xacro.static.launches import launch_texts
 
@@ -39,13 +39,13 @@ _DEEPEST = 8
 _MOST_MERGED = 100
 _KEYS = ("gz_topic_name", "ign_topic_name")
 _TYPES = ("gz_type_name", "ign_type_name")
-_ARGUMENT = re.compile(r"([^\s@{}$\"'<>%]{1,300})@[\w/]{1,200}([@\[\]])(?:gz|ignition)\.msgs\.(\w+)")
+_ARGUMENT = pattern(r"([^\s@{}$\"'<>%]{1,300})@[\w/]{1,200}([@\[\]])(?:gz|ignition)\.msgs\.(\w+)")
 """An argument of ``parameter_bridge``: topic, type in ROS, direction, type in Gazebo."""
-_TYPE = re.compile(r"[@\[\]](?:gz|ignition)\.msgs\.(\w+)")
-_ELSEWHERE = re.compile(r"gz_topic_name|expand_gz_topic_names")
+_TYPE = pattern(r"[@\[\]](?:gz|ignition)\.msgs\.(\w+)")
+_ELSEWHERE = pattern(r"gz_topic_name|expand_gz_topic_names")
 """A program that writes a bridge, or a bridge that puts the name of the model before all topics."""
-_WORD = re.compile(r"[a-z]+|\d+")
-_SAID = re.compile(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
+_WORD = pattern(r"[a-z]+|\d+")
+_SAID = pattern(r">\s{0,50}/?([A-Za-z_~][\w./~-]{0,200})\s{0,50}<")
 _MOST_TOPICS = 5_000
 """A description with more texts like topics may have any."""
 _PICTURE = {"Image": ("",), "CameraInfo": ("/../camera_info",)}
@@ -113,7 +113,7 @@ _PAIRS: Mapping[str, str] = {
 }
 """Package of ROS → its messages that a bridge carries, each with the one of Gazebo if that has another name."""
 _WAYS = {"gz": ("BIDIRECTIONAL", "GZ_TO_ROS", "ROS_TO_GZ"), "ign": ("IGN_TO_ROS", "ROS_TO_IGN")}
-_REFUSED_NAME = re.compile(r"[^\w/~]|//|/\Z|(?:^|/)\d")
+_REFUSED_NAME = pattern(r"[^\w/~]|//|/\Z|(?:^|/)\d")
 
 
 class Bridged(NamedTuple):

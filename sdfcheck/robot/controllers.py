@@ -8,7 +8,6 @@ places; substitutions in it are not known.
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fnmatch import fnmatchcase
 from itertools import islice
@@ -20,11 +19,11 @@ from sdfcheck.files.packages import YAML
 from sdfcheck.formats.near_names import Effort, misspelling_of, suggest
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, pattern
 
 LARGEST = 64 * 1024
 """Bytes of a file of parameters that is read: yaml takes a second for so many."""
-UNKNOWN = re.compile(r"[${}<>%]|^$")
+UNKNOWN = pattern(r"[${}<>%]|^$")
 """A name with one of these is made later."""
 
 _MANAGER = "controller_manager"
@@ -645,7 +644,7 @@ def _untyped(
 
 # The types of parameters, as ROS 2 tells them apart: a number has a point, and takes no whole number in its place.
 
-_INTEGER = re.compile(r"[-+]?(0x[0-9a-fA-F]+|[0-9]+)")
+_INTEGER = pattern(r"[-+]?(0x[0-9a-fA-F]+|[0-9]+)")
 _BOOLS = frozenset(
     "y Y yes Yes YES true True TRUE on On ON n N no No NO false False FALSE off Off OFF".split()
 )

@@ -154,18 +154,16 @@ class Inertial(Part):
     @lazy
     def is_legible(self) -> bool:
         """Are all moments finite numbers? In SDFormat some may be left out, but not misspelled."""
-        inertia = self.inertia
-        if not all(math.isfinite(moment.number) for moment in self.moments.values()):
+        moments, inertia = self.moments, self.inertia
+        if not all(map(math.isfinite, [moment.number for moment in moments.values()])):
             return False
-        if self.is_urdf:
-            return all(moment.is_given for moment in self.moments.values())
+        left_out = [name for name, moment in moments.items() if not moment.is_given]
+        if self.is_urdf or not left_out:
+            return not left_out
         if inertia is None:
             return not self.misnamed("inertia")
         written = self.part(inertia)
-        return not any(
-            written.misnamed(name) or (written.value(name) is not None and not moment.is_given)
-            for name, moment in self.moments.items()
-        )
+        return not any(written.misnamed(name) or written.value(name) is not None for name in left_out)
 
     @property
     def missing_moments(self) -> tuple[str, ...]:
@@ -3689,7 +3687,7 @@ class Model(Scope):
     @property
     def may_be_static(self) -> bool:
         """Is it static, or does it say something about that which is neither true nor false?"""
-        if self.is_static or self.misnamed("static"):
+        if self.is_static or (not self.is_urdf and self.misnamed("static")):
             return True
         value = self.static_value
         return value is not None and value.text.strip().lower() not in _BOOLEANS

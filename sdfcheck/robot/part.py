@@ -240,6 +240,10 @@ class Part:
         if not self.is_given:
             return None
         if self.is_urdf:
+            from sdfcheck.formats.urdf.schema import knows_all
+
+            if knows_all(self.element):
+                return None
             from sdfcheck.formats.urdf.findings import misnamed
 
             return misnamed(self.element, name)
@@ -268,7 +272,7 @@ class Part:
             return False
         if not self.is_unfinished:
             return True
-        from sdfcheck.formats.urdf.findings import definition
+        from sdfcheck.formats.urdf.schema import definition
         from sdfcheck.xacro.static.macro_survey import may_get
 
         return not may_get(self.element, name, definition(self.element))

@@ -20,7 +20,7 @@ from sdfcheck.robot.controllers import LARGEST, PARAMETERS, Parameter, composed,
 from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, pattern
 from sdfcheck.xacro.static.launches import launch_texts
 
 MOST_FILES = 300
@@ -31,13 +31,13 @@ _MOST_TEXT = 16 * 1024 * 1024
 """Bytes of descriptions and programs of a project that are searched for names; in more anything may be named."""
 MOST_PARSED = 256 * 1024
 """Bytes of YAML, and of launch files, that are parsed for a project; in more anything may be carried."""
-REMARK = re.compile(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
-_NAME = re.compile(r"\w+")
-_NAMES = re.compile(r"[\w.-]+")
+REMARK = pattern(r"^[ \t]*#.*$|<!--[\s\S]*?(?:-->|\Z)", re.MULTILINE)
+_NAME = pattern(r"\w+")
+_NAMES = pattern(r"[\w.-]+")
 """Words, and names of files."""
 DESCRIPTIONS = (".sdf", ".world", ".urdf", ".xacro", ".gazebo")
 
-_BASE = re.compile(
+_BASE = pattern(
     r"^[ \t]*(?:robot_base_frame|base_frame_id|base_frame|base_link_frame)[ \t]*:[ \t]*"
     r"[\"']?([A-Za-z]\w{0,99})\b[\"']?[ \t]*(?:#.*)?$",
     re.MULTILINE,
@@ -86,7 +86,7 @@ def project_texts(packages: Packages, suffixes: Iterable[str]) -> dict[Path, str
 
 # Controllers.
 
-_TYPED_ELSEWHERE = re.compile(
+_TYPED_ELSEWHERE = pattern(
     r"controller[-_]type|params?[-_]file|[\"' ]-[tp][\"' ]|set_parameters|yaml\.(?:safe_)?load"
 )
 """A launch file that gives a controller its type, or other files of parameters."""
@@ -120,8 +120,8 @@ def started_untyped(document: Document, nodes: Sequence[Parameter]) -> Iterator[
 
 
 _MANAGER = "ros2_control_node"
-_GAZEBO = re.compile(r"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo|spawn_entity)\b")
-_CONDITION = re.compile(
+_GAZEBO = pattern(r"\b(?:gazebo_ros|ros_gz_sim|ros_ign_gazebo|spawn_entity)\b")
+_CONDITION = pattern(
     r"\b(?:If|Unless)\w*Condition\b|\bcondition\s*=|\b(?:if|unless)\s*=\s*[\"']|OpaqueFunction"
 )
 
@@ -156,24 +156,22 @@ def second_manager(document: Document) -> Span | None:
 
 # Worlds in which launch files start robots.
 
-_NEW_GAZEBO = re.compile(r"\bros_(?:gz|ign)_(?:sim|gazebo)\b")
-_CREATED = re.compile(r"(?:executable|exec)\s*=\s*[\"']create[\"']")
-_INTO = re.compile(r"[\"']-world[\"']\s*,\s*[\"'](\w{1,100})[\"']")
+_NEW_GAZEBO = pattern(r"\bros_(?:gz|ign)_(?:sim|gazebo)\b")
+_CREATED = pattern(r"(?:executable|exec)\s*=\s*[\"']create[\"']")
+_INTO = pattern(r"[\"']-world[\"']\s*,\s*[\"'](\w{1,100})[\"']")
 _WORLDS = (".sdf", ".world")
-_WORLD = re.compile(r"<world\s[^<>]{0,200}?name\s{0,20}=\s{0,20}[\"']([^\"'<>]{1,100})[\"']")
-_SUPPORT = re.compile(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
+_WORLD = pattern(r"<world\s[^<>]{0,200}?name\s{0,20}=\s{0,20}[\"']([^\"'<>]{1,100})[\"']")
+_SUPPORT = pattern(r"<include|xacro:|<static>|<gravity|\$[{(]|<%|type\s*=\s*[\"']fixed[\"']")
 """Words of a world in which something may be there to stand on, or of which not all is known."""
-_SYSTEM = re.compile(r"(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
+_SYSTEM = pattern(r"(?:gz-sim|ignition-gazebo)\d*-([a-z][\w-]{1,60}?)-system\b")
 _TIME = "use_sim_time"
-_TIMED = re.compile(
-    r"use_sim_time[\"']?\s{0,20}(?:[:,=]|value\s{0,20}=)\s{0,20}(?:\(\s{0,20})?[\"']?[Tt]rue\b"
-)
-_CLOCK = re.compile(r"clock", re.IGNORECASE)
-_SHARE = re.compile(
+_TIMED = pattern(r"use_sim_time[\"']?\s{0,20}(?:[:,=]|value\s{0,20}=)\s{0,20}(?:\(\s{0,20})?[\"']?[Tt]rue\b")
+_CLOCK = pattern(r"clock", re.IGNORECASE)
+_SHARE = pattern(
     r"(?:get_package_share_(?:directory|path)|FindPackageShare)\(\s*(?:package\s*=\s*)?([\"']?\w+)|"
     r"\$\(find-pkg-share\s+(\w+)"
 )
-_GIVEN = re.compile(r"\b(\w{1,100})\s{0,20}=\s{0,20}[\"'](\w{1,100})[\"']")
+_GIVEN = pattern(r"\b(\w{1,100})\s{0,20}=\s{0,20}[\"'](\w{1,100})[\"']")
 _CLOCKLESS = frozenset(("ros_gz_sim", "ros_ign_gazebo", "slam_toolbox", "nav2_bringup", "robot_localization"))
 """Packages whose launch files start no bridge for the clock."""
 
@@ -308,14 +306,14 @@ def _world(text: str) -> tuple[str, frozenset[str], bool] | None:
 
 # States of joints.
 
-_STATES = re.compile(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|ros2?_control", re.IGNORECASE)
+_STATES = pattern(r"joint[-_]?states?|publish_?wheel_?tf|pose[-_]?publisher|ros2?_control", re.IGNORECASE)
 """Words of whatever may publish states, or transforms of wheels."""
-_BRIDGE = re.compile(r"^.*_topic_name.*$|(?<![\w/])[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
+_BRIDGE = pattern(r"^.*_topic_name.*$|(?<![\w/])[\w/]{1,200}@[^\s\"']+", re.MULTILINE)
 """Entries of a bridge, which carries the states of others."""
 _TRANSFORMER = "robot_state_publisher"
-_NODE = re.compile(r"\b(?:package|pkg)\s*=\s*[\"']?(\w+)")
-_PUBLISHERS = re.compile(r"joint_state_(?:publisher|broadcaster|controller)|ros2?_control")
-_IMPORT = re.compile(r"^(?:from|import)\b.*$", re.MULTILINE)
+_NODE = pattern(r"\b(?:package|pkg)\s*=\s*[\"']?(\w+)")
+_PUBLISHERS = pattern(r"joint_state_(?:publisher|broadcaster|controller)|ros2?_control")
+_IMPORT = pattern(r"^(?:from|import)\b.*$", re.MULTILINE)
 _VIEWERS = frozenset((_TRANSFORMER, "rviz", "rviz2", "tf2_ros"))
 """Packages of nodes that show a robot, and have no states of joints."""
 
@@ -392,7 +390,7 @@ def has_other_states(document: Document) -> bool:
 
 # Parameters that YAML does not take.
 
-_TAB = re.compile(r"^ *\t[ \t]*(?=[\w\"'-])", re.MULTILINE)
+_TAB = pattern(r"^ *\t[ \t]*(?=[\w\"'-])", re.MULTILINE)
 
 
 def tabs_in_parameters(document: Document) -> Iterator[Span]:

@@ -23,7 +23,7 @@ from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Element, read
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import HEAD, Kind, sniff
-from sdfcheck.source.text import Source, is_expression
+from sdfcheck.source.text import Source, is_expression, pattern
 from sdfcheck.xacro.language import may_become
 
 if TYPE_CHECKING:
@@ -970,13 +970,13 @@ MOST_ROBOTS = 6
 _MOST_GUESSES = 20
 """So many files are expanded because an expression may give the name of the robot."""
 
-_ROBOT = re.compile(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
-_DECLARED = re.compile(
+_ROBOT = pattern(r"<robot\b[^>]*?\sname\s*=\s*[\"']([^\"']*)[\"']")
+_DECLARED = pattern(
     r"^ *urdf:[ \r]*\n *package: *([\w.-]+)[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE
 )
-_DECLARED_FILE = re.compile(r"^ *srdf:[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE)
-_GIVEN = re.compile(r"^ *xacro_args: *(.*(?:\n(?! *\w+:[^=]).*)*)", re.MULTILINE)
-_ARGUMENT = re.compile(r"(\w+):=(?:\"([^\"]*)\"|'([^']*)'|([^\s\"']*))")
+_DECLARED_FILE = pattern(r"^ *srdf:[ \r]*\n *relative_path: *([\w./-]+)", re.IGNORECASE | re.MULTILINE)
+_GIVEN = pattern(r"^ *xacro_args: *(.*(?:\n(?! *\w+:[^=]).*)*)", re.MULTILINE)
+_ARGUMENT = pattern(r"(\w+):=(?:\"([^\"]*)\"|'([^']*)'|([^\s\"']*))")
 _FOR_CHAINS = "kdl_kinematics_plugin/KDLKinematicsPlugin"
 _NO_ARGUMENTS: Mapping[str, str] = {}
 _FEWEST = 0.5

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import struct
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
@@ -377,8 +376,8 @@ def _pixels_at(path: Path, open: Open, _: Shelves) -> tuple[int, int] | None:
     except OSError:
         return None
     if head.startswith(b"\x89PNG\r\n\x1a\n") and len(head) == _PIXELS.stop:
-        width, height = struct.unpack(">II", head[_PIXELS])
-        return width, height
+        pixels = head[_PIXELS]
+        return int.from_bytes(pixels[:4], "big"), int.from_bytes(pixels[4:], "big")
     words = head.split()[:3] if head.startswith((b"P2", b"P5")) else []
     return (int(words[1]), int(words[2])) if len(words) == 3 and all(map(bytes.isdigit, words[1:])) else None
 

@@ -33,7 +33,7 @@ from sdfcheck.robot.values import lazy
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.record import NamedTuple
 from sdfcheck.source.sniff import Kind
-from sdfcheck.source.text import Span
+from sdfcheck.source.text import Span, pattern
 
 # Children by name, looked up once for each element: a group may have any number of members.
 
@@ -75,7 +75,7 @@ def first_child(parent: Element, name: str) -> Element | None:
 
 
 _TRUE = frozenset(("true", "1"))
-_CONDITION = re.compile(r"([^(),]+)(?:\(([^)]*)\))?")
+_CONDITION = pattern(r"([^(),]+)(?:\(([^)]*)\))?")
 
 
 class Use(NamedTuple):

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 # The words of the xacro language.
 
@@ -72,14 +73,14 @@ ONLY_IN_MODULE = frozenset(
 SYMBOLS = BUILT_IN - ONLY_IN_MODULE
 """The names that expressions know, and that a property or parameter of that name redefines."""
 
-_EXPRESSION = re.compile(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
+_EXPRESSION = pattern(r"\$\$+[{(]|\$\{(?P<code>[^}]*)\}|\$\((?P<command>[^)]*)\)")
 """An expression or a substitution; a doubled dollar sign escapes it."""
-_OPENING = re.compile(r"(\$+)([{(])?")
+_OPENING = pattern(r"(\$+)([{(])?")
 _CLOSING = {"{": "}", "(": ")"}
 
 LEADING = r"(?:\$\(arg\s+(?P<arg>\w+)\s*\)|\$\{\s*(?P<property>[^\W\d]\w*)\s*\})(?P<slash>/?)"
 """The expression with which a name begins, where it is an argument or a property alone."""
-FIND = re.compile(r"find\s+(\S+)\s*$")
+FIND = pattern(r"find\s+(\S+)\s*$")
 
 
 def matches(text: str) -> Iterator[re.Match[str]]:
@@ -162,9 +163,9 @@ def syntax_tree(code: str, mode: str = "eval") -> ast.AST:
 # which takes for ever where a quote is left over. Here each offset is decided once.
 
 
-_HEAD = re.compile(r"\s*([^\s:=]+)\s*:?=")
-_BLANKS = re.compile(r"\s*")
-_PLAIN = re.compile(r"\s*(\S+)")
+_HEAD = pattern(r"\s*([^\s:=]+)\s*:?=")
+_BLANKS = pattern(r"\s*")
+_PLAIN = pattern(r"\s*(\S+)")
 
 
 class Parameter(NamedTuple):

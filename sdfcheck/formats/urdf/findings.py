@@ -15,7 +15,7 @@ from sdfcheck.formats.schema import AttributeDefinition, Definition
 from sdfcheck.formats.sdf.values import BLANKS, no_number, stream_float
 from sdfcheck.formats.sdf.values import read as read_as_sdf
 from sdfcheck.formats.table import Range
-from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, known_parents, urdf
+from sdfcheck.formats.urdf.schema import COUNTS, VERSIONS, definition, known_parents
 from sdfcheck.formats.version import Version
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
@@ -72,34 +72,6 @@ def _meant(element: Element) -> Iterator[tuple[str, Span]]:
     for key, text in element.attributes.items():
         if (name := meant_attribute(element, key, place)) is not None:
             yield name, Value(element, key, text).name_span
-
-
-def definition(element: Element) -> Definition | None:
-    """The definition of an element by its place in the document; None where URDF has no such element.
-
-    In a macro of xacro it is that of the first place where such an element may be.
-    """
-    path: list[str] = []
-    at: Element | None = element
-    while (
-        at is not None and not at.name.startswith("xacro:") and (at.name != "robot" or at.parent is not None)
-    ):
-        path.append(at.name)
-        at = at.parent
-    steps = "/".join(reversed(path))
-    found = urdf().at(steps)
-    if found is None and at is not None and at.name != "robot":
-        found = next(filter(None, (place.at(steps) for place in _places())), None)
-    return found
-
-
-@cache
-def _places() -> tuple[Definition, ...]:
-    """All definitions, from the outside in."""
-    places = [urdf()]
-    for place in places:
-        places += place.children.values()
-    return tuple(places)
 
 
 def meant_child(child: Element, place: Definition) -> str | None:

@@ -9,12 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache, lru_cache
 from math import inf
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 from sdfcheck.formats.schema import Accepts, Definition, Format, RowInVersion
 from sdfcheck.formats.table import Range, Table
 from sdfcheck.formats.version import Version
 from sdfcheck.source.record import NamedTuple
+
+if TYPE_CHECKING:
+    from sdfcheck.source.document import Element
 
 VERSIONS = (Version(1, 0), Version(1, 1), Version(1, 2))
 """The versions of URDF; a document without one has the first."""
@@ -150,3 +153,40 @@ def known_parents(name: str) -> tuple[str, ...]:
             found.add(element.name)
         waiting += [child for child in element.children.values() if not child.consumers]
     return tuple(sorted(found))
+
+
+def definition(element: Element) -> Definition | None:
+    """The definition of an element by its place in the document; None where URDF has no such element.
+
+    In a macro of xacro it is that of the first place where such an element may be.
+    """
+    path: list[str] = []
+    at: Element | None = element
+    while (
+        at is not None and not at.name.startswith("xacro:") and (at.name != "robot" or at.parent is not None)
+    ):
+        path.append(at.name)
+        at = at.parent
+    steps = "/".join(reversed(path))
+    found = urdf().at(steps)
+    if found is None and at is not None and at.name != "robot":
+        found = next(filter(None, (place.at(steps) for place in _places())), None)
+    return found
+
+
+@cache
+def _places() -> tuple[Definition, ...]:
+    """All definitions, from the outside in."""
+    places = [urdf()]
+    for place in places:
+        places += place.children.values()
+    return tuple(places)
+
+
+def knows_all(element: Element) -> bool:
+    """Are the names of all attributes and children of an element those of its place, as in nearly all robots?"""
+    place = definition(element)
+    return place is None or (
+        element.attributes.keys() <= place.attributes.keys()
+        and all(child.name in place.children for child in element.children())
+    )

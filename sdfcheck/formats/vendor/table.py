@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -21,6 +20,7 @@ from sdfcheck.formats.vendor.definitions import (
     Tag,
     Vendor,
 )
+from sdfcheck.source.text import pattern
 
 if TYPE_CHECKING:
     from sdfcheck.source.document import Document
@@ -29,7 +29,7 @@ TYPES = frozenset(
     ("", "bool", "double", "file", "flag", "int", "name", "string", "truth", "vector2", "vector3", "word")
 )
 
-_OWN = re.compile(r"(?<![\w:]):(?=[A-Za-z_])")
+_OWN = pattern(r"(?<![\w:]):(?=[A-Za-z_])")
 """The colon of a name that has the vendor's own prefix left out."""
 
 

@@ -107,6 +107,8 @@ class RuleBook:
 
 def _with_measured(rules: tuple[RuleFacts, ...], targets: Collection[str]) -> tuple[RuleFacts, ...]:
     """The rules with the reactions of those targets that are not in the index."""
+    if not targets:
+        return rules
     from sdfcheck.consumers.reaction import ON_REQUEST
 
     if ON_REQUEST.isdisjoint(targets):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from sdfcheck.robot.graph import Include, Model, Plugin, Scope, State
 from sdfcheck.robot.part import Node
 from sdfcheck.source.record import NamedTuple
+from sdfcheck.source.text import pattern
 
 if TYPE_CHECKING:
     from sdfcheck.robot.part import Part, Whole
@@ -33,7 +34,7 @@ _URDF_JOINTS = frozenset(("transmission", "ros2_control"))
 _OF_JOINTS = _URDF_JOINTS | {"mimic"}
 
 _IN_STATES = frozenset(("model", "link", "joint", "model_state", "link_state", "joint_state"))
-NAMING = re.compile(r"link|joint|frame|body|model", re.IGNORECASE)
+NAMING = pattern(r"link|joint|frame|body|model", re.IGNORECASE)
 """Parameters of plugins that are called so are taken for names, where there is a node of that name."""
 
 

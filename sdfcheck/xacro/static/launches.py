@@ -15,7 +15,6 @@ import os
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from html import unescape
 from itertools import accumulate
 from pathlib import Path
 from typing import Any, Protocol
@@ -25,7 +24,7 @@ from sdfcheck.files.packages import LAUNCHES, Packages, is_of_ros_1
 from sdfcheck.files.regular import read_regular
 from sdfcheck.source.document import Document
 from sdfcheck.source.record import NamedTuple
-from sdfcheck.source.text import Source, Span
+from sdfcheck.source.text import Source, Span, pattern
 from sdfcheck.xacro.language import LONGEST_CODE, syntax_tree
 
 _FOLDER = "launch"
@@ -55,19 +54,19 @@ _COMPARISONS: Mapping[type[ast.cmpop], Callable[[Any, Any], bool]] = {
 _METHODS: Mapping[str, Callable[..., Any]] = {
     method.__name__: method for method in (str.lower, str.upper, str.strip, str.startswith, str.endswith)
 }
-_VALUE = re.compile(r"=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_TAG = re.compile(r"<(/?)(arg|include|let)\b([^<>]*)>")
-_ATTRIBUTE = re.compile(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
-_REFERENCE = re.compile(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
-_PACKAGE = re.compile(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
-_OTHER = re.compile(r"\$\((?!command\b)[^()]*\)")
-_STRING = re.compile(r"type\s*=\s*[\"']str")
+_VALUE = pattern(r"=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_TAG = pattern(r"<(/?)(arg|include|let)\b([^<>]*)>")
+_ATTRIBUTE = pattern(r"\b(name|default|value|file|pass_all_args)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+_REFERENCE = pattern(r"\$\((?:arg|var)\s+([^\s()]+)\s*\)")
+_PACKAGE = pattern(r"\$\((?:find|find-pkg-share)\s+([^\s()]+)\s*\)")
+_OTHER = pattern(r"\$\((?!command\b)[^()]*\)")
+_STRING = pattern(r"type\s*=\s*[\"']str")
 _REPLACED = r"<xacro:|\$\{|\$\("
 """Something that xacro replaces."""
-_JOINED = re.compile(f"xacro[/{_UNKNOWN}]")
+_JOINED = pattern(f"xacro[/{_UNKNOWN}]")
 _FORMER = "xacro.py"
-_EXPANDER = re.compile(r"\bxacro\.[a-z_]{1,30}\(")
-_GIVEN = re.compile(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
+_EXPANDER = pattern(r"\bxacro\.[a-z_]{1,30}\(")
+_GIVEN = pattern(r"(?<!\w)(\w+):=(\"[^\"]*\"|'[^']*'|\S*)")
 
 
 class LaunchFault(NamedTuple):
@@ -260,7 +259,7 @@ class _Xml:
                     declared = outer if inside.endswith("/") else self._includes[-1][1]
             elif not end:
                 declared.append(_attributes(inside))
-        values = (unescape(double or single) for double, single in _VALUE.findall(text))
+        values = (_unescaped(double or single) for double, single in _VALUE.findall(text))
         self._commands = [value for value in values if "xacro" in value]
 
     def uses(self, given: Mapping[str, str]) -> Iterator[_Use]:
@@ -300,8 +299,16 @@ class _Xml:
         return self._around.resolved(text)
 
 
+def _unescaped(text: str) -> str:
+    if "&" not in text:
+        return text
+    from html import unescape
+
+    return unescape(text)
+
+
 def _attributes(text: str) -> dict[str, str]:
-    return {key: unescape(double or single) for key, double, single in _ATTRIBUTE.findall(text)}
+    return {key: _unescaped(double or single) for key, double, single in _ATTRIBUTE.findall(text)}
 
 
 # Launch files in Python.
