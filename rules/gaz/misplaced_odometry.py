@@ -54,7 +54,7 @@ SWITCHES = {
 
 
 NEAR, PART = 0.02, 0.05
-"""m, and of the distance of the wheels: of 23 robots with a drive of two wheels 21 have their base between these."""
+"""m, and of the distance of the wheels: of 24 robots with a drive of two wheels 21 have their base between these."""
 COUNTING = ("gz-sim-diff-drive-system", "gazebo_ros_diff_drive")
 """Plugins that compute the odometry from the turns of two wheels; those of Gazebo Classic where they are told to."""
 

@@ -100,7 +100,7 @@ class DetachedCollision(Rule):
             text = f"{verb} {gap(link):.3g} m away from its {visuals}"
         elif shift(link):
             text = f"{verb} as large as its {visuals}, and {shift(link):.3g} m from where that would be"
-        elif lies_across(link):
+        elif lies_across(link) and not has_one_mesh(link):
             text = f"{verb} as large as its {visuals}, and {has} the longest side along another axis"
         yield self.diagnostic(
             link.collisions[0],
