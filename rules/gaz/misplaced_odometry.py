@@ -207,15 +207,19 @@ def beside(plugin: Plugin) -> Iterator[tuple[Drive, Link, float]]:
 
 def base_of(plugin: Plugin, drive: Drive) -> Link | None:
     """The root of the robot, if a drive that counts the turns of its wheels publishes its odometry."""
-    named = [each.content for each in plugin.controllers.frames if drive.title.endswith(f"`{each.name}`")]
-    if "ros2_control" not in plugin.filename:
-        facts = plugin.known
-        told = plugin.get("odometry_source") or plugin.get("odometrySource") or ""
-        if facts is None or facts.file not in COUNTING:
-            return None
-        if facts.generation != "gz-sim" and told.strip().lower() not in {"0", "encoder"}:
-            return None
+    if "ros2_control" in plugin.filename:
+        named = [each.content for each in plugin.controllers.frames if drive.title.endswith(f"`{each.name}`")]
+        does_count = bool(named)
+    else:
         named = [text for name in NAMES if (text := plugin.get(name))]
+        told = plugin.get("odometry_source") or plugin.get("odometrySource") or ""
+        facts = plugin.known
+        is_told = facts is not None and (
+            facts.generation == "gz-sim" or told.strip().lower() in {"0", "encoder"}
+        )
+        does_count = facts is not None and facts.file in COUNTING and is_told
+    if not does_count:
+        return None
     roots = [link for link in robot_of(plugin).tree.links.values() if not link.parent_joints]
     is_root = len(roots) == 1 and all(name.strip().endswith(roots[0].name) for name in named)
     return roots[0] if is_root else None
