@@ -3449,6 +3449,13 @@ PROBLEMS = {
         '<geometry><box size="0.14 0.05 0.14"/></geometry>',
         RIM,
     ),
+    "the base of a cart is not between its wheels": Problem(
+        "GAZ020",
+        robot(CART.replace('xyz="0 0.15', 'xyz="@@ 0.15').replace('xyz="0 -0.15', 'xyz="@@ -0.15'), DRIVE),
+        "-0.05",
+        "0",
+        below=11,
+    ),
     "a drive has the joints of skid steering": Problem(
         "RES019",
         robot(
