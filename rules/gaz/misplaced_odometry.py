@@ -56,7 +56,7 @@ SWITCHES = {
 NEAR, PART = 0.02, 0.05
 """m, and of the distance of the wheels: of 24 robots with a drive of two wheels 21 have their base between these."""
 COUNTING = ("gz-sim-diff-drive-system", "gazebo_ros_diff_drive")
-"""Plugins that compute the odometry from the turns of two wheels; those of Gazebo Classic where they are told to."""
+"""Plugins that compute the odometry from the turns of two wheels; those of Gazebo Classic where a parameter says so."""
 
 
 class MisplacedOdometry(Rule):
@@ -209,16 +209,16 @@ def base_of(plugin: Plugin, drive: Drive) -> Link | None:
     """The root of the robot, if a drive that counts the turns of its wheels publishes its odometry."""
     if "ros2_control" in plugin.filename:
         named = [each.content for each in plugin.controllers.frames if drive.title.endswith(f"`{each.name}`")]
-        does_count = bool(named)
+        is_counted = bool(named)
     else:
         named = [text for name in NAMES if (text := plugin.get(name))]
-        told = plugin.get("odometry_source") or plugin.get("odometrySource") or ""
+        source = plugin.get("odometry_source") or plugin.get("odometrySource") or ""
         facts = plugin.known
-        is_told = facts is not None and (
-            facts.generation == "gz-sim" or told.strip().lower() in {"0", "encoder"}
+        is_counting = facts is not None and (
+            facts.generation == "gz-sim" or source.strip().lower() in {"0", "encoder"}
         )
-        does_count = facts is not None and facts.file in COUNTING and is_told
-    if not does_count:
+        is_counted = facts is not None and facts.file in COUNTING and is_counting
+    if not is_counted:
         return None
     roots = [link for link in robot_of(plugin).tree.links.values() if not link.parent_joints]
     is_root = len(roots) == 1 and all(name.strip().endswith(roots[0].name) for name in named)

@@ -622,7 +622,7 @@ def has_content(document: Document) -> bool:
 
 
 def _kinds_of_content(root: Element) -> set[str]:
-    """What is outside of macros: ``content``, ``macro``, ``include``, ``material``."""
+    """The kinds of elements outside of macros: ``content``, ``macro``, ``include``, ``material``."""
     found = set()
     todo = list(root.children())
     while todo:
