@@ -67,6 +67,13 @@ class UnknownSensorFrame(Rule):
             says="frame `scn` of sensor `s` is not a link of robot `r`; did you mean `scan`?",
         ),
         Bad(
+            '<camera><optical_frame_id>«"scan"»</optical_frame_id></camera>',
+            fixed="<camera><optical_frame_id>scan</optical_frame_id></camera>",
+            scaffold=SENSOR.replace("imu", "rgbd_camera"),
+            unsafe=True,
+            says='frame `"scan"` of sensor `s` is not a link of robot `r`; did you mean `scan`?',
+        ),
+        Bad(
             PLUGIN.format("«laser_link»"), says="frame `laser_link` of sensor `s` is not a link of robot `r`"
         ),
         Bad(
@@ -101,7 +108,9 @@ class UnknownSensorFrame(Rule):
                 continue
             robot = robot_of(part)
             message += f" is not a link of {robot.title}"
-            yield self.diagnostic(value, message, meant=part.nearest(name, robot.tree.links))
+            bare = name.strip("\"'")
+            meant = bare if bare in robot.tree.links else part.nearest(name, robot.tree.links)
+            yield self.diagnostic(value, message, meant=meant)
 
 
 def robot_of(part: Part) -> Model:
@@ -138,5 +147,7 @@ def frames(part: Sensor | ControlComponent) -> Iterator[Element]:
     elif part.is_extension:
         for name in FRAMES:
             yield from part.children(name)
+        for camera in part.children("camera"):
+            yield from camera.children("optical_frame_id")
         for plugin in part.plugins:
             yield from (child for child in plugin.parameters if child.name in OF_PLUGINS)

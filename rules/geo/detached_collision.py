@@ -1,7 +1,8 @@
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import dist
 
 from sdfcheck import IN_LINK, Bad, Diagnostic, Good, Link, Rule, Severity, Shape
+from sdfcheck_rules.geo.scaffolds import wedge
 
 MOST = 0.45
 """Of the longer one: of 3,828 links in public robots three are farther apart, all of them by mistake."""
@@ -12,6 +13,8 @@ LEAST = 0.01
 ALIKE, SHIFTED = 0.05, 0.15
 """Of the longest side: of 5,069 links in public robots whose collisions are as large as their visuals, 18 have them
 more than that elsewhere, all of them by mistake."""
+ACROSS = 0.3
+"""Of the longest side: what has the sides of the other one in another order lies across it."""
 TURNED = 0.01
 """Of the cosine. Of 2,667 links with one mesh for both, 13 have it elsewhere or turned, all by mistake."""
 MESH = "<geometry><mesh><uri>a.obj</uri></mesh></geometry>"
@@ -26,8 +29,8 @@ class DetachedCollision(Rule):
 
     Both are the shape of one body, so they overlap, and are at one place if they are of one size. Where they are apart,
     the robot touches what it does not reach, and passes through what it does. Often the visual was moved and the
-    collision not, or only one of them has the origin of its mesh corrected. Meshes count that are on this computer, or
-    the same one twice.
+    collision not, or only one of them has the origin of its mesh corrected, or its direction. Meshes count that are on
+    this computer, or the same one twice.
     """
 
     code = "GEO003"
@@ -60,6 +63,13 @@ class DetachedCollision(Rule):
             f'<visual name="v">{BALL}</visual><«collision» name="c"><pose>0.08 0 0 0 0 0</pose>{BALL}</collision>',
             says="is as large as its visual, and 0.08 m from where that would be",
         ),
+        Bad(
+            VISUAL
+            + '<«collision» name="c"><geometry><cylinder><radius>0.05</radius><length>0.6</length></cylinder>'
+            "</geometry></collision>",
+            files={"a.obj": wedge(0.6).replace("0.06", "0.1")},
+            says="is as large as its visual, and has the longest side along another axis",
+        ),
     )
     good = (
         Good(VISUAL + COLLISION.replace("«collision»", "collision").format("0.004 0 0 0 0 0"), files=FILES),
@@ -79,7 +89,7 @@ class DetachedCollision(Rule):
 
     @staticmethod
     def applies(link: Link) -> bool:
-        return is_compared(link) and bool(gap(link) or shift(link) or is_turned(link))
+        return is_compared(link) and bool(gap(link) or shift(link) or lies_across(link) or is_turned(link))
 
     def check(self, link: Link) -> Iterator[Diagnostic]:
         plural = "s" if len(link.collisions) > 1 else ""
@@ -90,6 +100,8 @@ class DetachedCollision(Rule):
             text = f"{verb} {gap(link):.3g} m away from its {visuals}"
         elif shift(link):
             text = f"{verb} as large as its {visuals}, and {shift(link):.3g} m from where that would be"
+        elif lies_across(link) and not has_one_mesh(link):
+            text = f"{verb} as large as its {visuals}, and {has} the longest side along another axis"
         yield self.diagnostic(
             link.collisions[0],
             f"the collision{plural} of {link.title} {text}",
@@ -145,8 +157,23 @@ def shift(link: Link) -> float:
     longest, found = max(visuals.size), dist(visuals.center, collisions.center)
     if longest < LEAST or found <= SHIFTED * longest:
         return 0.0
-    pairs = zip(visuals.size, collisions.size, strict=True)
-    return found if all(abs(a - b) <= ALIKE * longest for a, b in pairs) else 0.0
+    return found if difference(visuals.size, collisions.size) <= ALIKE * longest else 0.0
+
+
+def lies_across(link: Link) -> bool:
+    """Have the boxes around its visuals and its collisions the same three sides, in another order?"""
+    visuals, collisions = link.visual_box, link.collision_box
+    if visuals is None or collisions is None or max(visuals.size) < LEAST:
+        return False
+    longest = max(visuals.size)
+    if difference(sorted(visuals.size), sorted(collisions.size)) > ALIKE * longest:
+        return False
+    return difference(visuals.size, collisions.size) > ACROSS * longest
+
+
+def difference(some: Iterable[float], others: Iterable[float]) -> float:
+    """How far two lists of numbers are apart where they differ most."""
+    return max(abs(one - other) for one, other in zip(some, others, strict=True))
 
 
 def is_turned(link: Link) -> bool:

@@ -1,12 +1,13 @@
 from collections.abc import Iterator
 
-from sdfcheck import Bad, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
+from sdfcheck import Bad, Collision, Diagnostic, Drive, Good, Joint, Plugin, Rule, Severity
 from sdfcheck_rules.geo.scaffolds import controlled, controllers, rover
 
 MOST = 0.1
 """Of the radius that the plugin says."""
 ALIKE = 0.01
 """Of the radius of the other wheel of a pair; wheels of other axles may differ by a tenth."""
+CAR, MEASURED = "gazebo_ros_ackermann_drive", "front_right_joint"
 BACK = "".join(
     f'<link name="back_{side}"><collision><origin rpy="1.5708 0 0"/>'
     f'<geometry><cylinder radius="{{{side}}}" length="0.04"/></geometry></collision></link>'
@@ -23,11 +24,26 @@ def four(*, left: str, right: str) -> str:
     return rover().replace("<gazebo>", f"{wheels}<gazebo>").replace("</plugin>", NAMES)
 
 
+def car(shape: str) -> str:
+    """The rover with the drive for cars, whose right wheel has such a shape."""
+    text = rover(radius="@").replace('<cylinder radius="@" length="0.04"/>', shape)
+    text = text.replace("gz-sim-diff-drive-system", f"lib{CAR}.so").replace(
+        "gz::sim::systems::DiffDrive", "car"
+    )
+    for side in ("left", "right"):
+        text = text.replace(f"{side}_joint>", f"front_{side}_joint>")
+    return text
+
+
 class MismatchedWheelRadius(Rule):
     """The wheels of a differential drive have another radius than the plugin or controller says, or two different ones.
 
     Speed and odometry are computed from one radius. Of two wheels that differ the larger one gets ahead: the robot
     drives in a circle. Of two axles one slides, or does not touch the floor.
+
+    The drive of ROS 2 for cars in Gazebo Classic, `gazebo_ros_ackermann_drive`, takes the radius of its wheels from the
+    first collision of the right wheel in front. A cylinder and a sphere have one; for a mesh or a box it takes 0, and
+    divides by that.
     """
 
     code = "GEO012"
@@ -59,11 +75,16 @@ class MismatchedWheelRadius(Rule):
             four(left="«0.06»", right="0.06"),
             says="wheel `back_left` has a radius of 0.06 m, and wheel `left` one of 0.1 m",
         ),
+        Bad(
+            car('<«box» size="0.2 0.2 0.2"/>'),
+            says="`front_right_joint` takes the radius from the first collision of its wheel, and a `box` has none",
+        ),
     )
     good = (
         Good(rover(wheel_radius="0.1")),
         Good(rover(wheel_radius="0.095"), why="a soft tire"),
         Good(four(left="0.095", right="0.095")),
+        Good(car('<cylinder radius="0.1" length="0.04"/>')),
         Good(
             rover(wheel_diameter="0.1"),
             why="the plugin does not read it: misspelled-plugin-parameter owns this one",
@@ -72,11 +93,22 @@ class MismatchedWheelRadius(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return any(other_wheel(drive) is not None or is_mismatched(drive) for drive in plugin.drives)
+        drives = plugin.drives
+        return any(
+            other_wheel(drive) is not None or is_mismatched(drive) or edged(plugin, drive) for drive in drives
+        )
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for drive in plugin.drives:
             yield from self.of_drive(plugin, drive)
+            for collision in edged(plugin, drive):
+                shape = collision.geometry.shape
+                yield self.diagnostic(
+                    collision.geometry.element.find(shape) or collision,
+                    f"`{MEASURED}` takes the radius from the first collision of its wheel, and a `{shape}` has none",
+                    labels={plugin: "this drive"},
+                    help="make the first collision of the wheel a cylinder or a sphere",
+                )
 
     def of_drive(self, plugin: Plugin, drive: Drive) -> Iterator[Diagnostic]:
         left, right, other = drive.left, drive.right, other_wheel(drive)
@@ -102,6 +134,15 @@ class MismatchedWheelRadius(Rule):
                 f" {drive.radius.content.strip()}",
                 labels={**drive.labels(drive.radius), **labels},
             )
+
+
+def edged(plugin: Plugin, drive: Drive) -> list[Collision]:
+    """The collision of which the drive for cars takes the radius, if it has none."""
+    if plugin.known is None or plugin.known.file != CAR:
+        return []
+    links = [wheel.joint.child_link for wheel in drive.wheels if wheel.name.name == MEASURED]
+    first = [link.collisions[0] for link in links if link is not None and link.collisions]
+    return [each for each in first if each.geometry.shape not in {"", "cylinder", "sphere"}]
 
 
 def other_wheel(drive: Drive) -> tuple[Joint, float] | None:

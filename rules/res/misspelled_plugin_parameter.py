@@ -78,6 +78,11 @@ class MisspelledPluginParameter(Rule):
             also=("RES021",),
         ),
         Bad(
+            '<plugin name="drive" filename="libgazebo_ros_diff_drive.so"><«leftFrontJoint»>wheel</leftFrontJoint>'
+            "<wheelDiameter>0.2</wheelDiameter></plugin>",
+            says="does not read `leftFrontJoint`, which is a parameter of `gazebo_ros_skid_steer_drive`",
+        ),
+        Bad(
             CAMERA.format("<«cameraName»>eye</cameraName><frameName>eye_link</frameName><Cx>0</Cx>"),
             fixed=CAMERA.format("<camera_name>eye</camera_name><frame_name>eye_link</frame_name><Cx>0</Cx>"),
             unsafe=True,

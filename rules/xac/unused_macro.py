@@ -8,8 +8,9 @@ class UnusedMacro(Rule):
     """A robot defines a macro and nothing calls it.
 
     Its content is not in the robot. Macros of libraries are for the files that include them and
-    are not reported. Where a launch file expands a file of macros alone, that nothing includes, the robot is
-    empty, and robot_state_publisher ends with `No link elements found in urdf file`: that is a warning.
+    are not reported. Where a launch file expands a file of macros alone, or one that only includes such files, and
+    nothing includes it, the robot is empty, and robot_state_publisher ends with `No link elements found in urdf file`:
+    that is a warning.
     """
 
     code = "XAC022"
@@ -33,6 +34,17 @@ class UnusedMacro(Rule):
             scaffold='<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>',
             file="robot.urdf.xacro",
             files={"robot.launch": '<launch><param name="d" command="xacro robot.urdf.xacro"/></launch>'},
+            says="macro `leg` is never called, and nothing else is in the robot that a launch file expands",
+        ),
+        Bad(
+            '<xacro:include filename="leg.xacro"/>',
+            scaffold='<robot name="«r»" xmlns:xacro="http://www.ros.org/wiki/xacro">{}</robot>',
+            file="robot.urdf.xacro",
+            files={
+                "leg.xacro": '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="leg" params="">'
+                '<link name="a"/></xacro:macro></robot>',
+                "robot.launch": '<launch><param name="d" command="xacro robot.urdf.xacro"/></launch>',
+            },
             says="macro `leg` is never called, and nothing else is in the robot that a launch file expands",
         ),
     )

@@ -67,6 +67,10 @@ class PluginFacts(NamedTuple):
         """Is it the name of a parameter?"""
         return name in self.parameters or any(re.fullmatch(pattern, name) for pattern in self.patterns)
 
+    def has_naming(self, name: str) -> bool:
+        """Is it the name of a parameter that names a joint or link?"""
+        return any(each.path == name for each in self.namings)
+
     def in_other_case(self, name: str) -> str | None:
         """The parameter of a pattern that differs from a name in the case of letters only."""
         if not self.patterns or len(name) > _LONGEST:
@@ -92,6 +96,15 @@ def counterparts(filename: str) -> tuple[PluginFacts, ...]:
     """The entries of files that do the same in other generations, such as the drives of Classic."""
     own = _purpose(stem(filename))
     return tuple(facts for key in _entries() if _purpose(key) == own for facts in known(key))
+
+
+@lru_cache(maxsize=1000)
+def other_drives(filename: str) -> tuple[PluginFacts, ...]:
+    """The entries of the other drives in the generations of a drive."""
+    drives = (facts for key in _entries() if key.endswith("_drive") for facts in known(key))
+    own = known(filename)
+    generations = {facts.generation for facts in own}
+    return tuple(each for each in drives if each.generation in generations and each not in own)
 
 
 def _purpose(stem: str) -> str:

@@ -2153,21 +2153,28 @@ class Plugin(Part):
 
     @lazy
     def foreign_parameters(self) -> tuple[tuple[Element, str], ...]:
-        """The parameters that it does not read, but its counterpart in another generation, each with that."""
+        """The parameters that it does not read, but its counterpart in another generation, each with that.
+
+        Of a drive that names no joint of its own also those by which another drive does.
+        """
         facts = self.known
         if facts is None or not facts.parameters:
             return ()
-        from sdfcheck.formats.plugins import counterparts
+        from sdfcheck.formats.plugins import counterparts, other_drives
 
         meant = {parameter for parameter, _ in self._meant}
         unread = [each for each in self.parameters if each not in meant and not facts.reads(each.name)]
-        others = (
-            [other for other in counterparts(self.filename) if other.file != facts.file] if unread else ()
-        )
+        if not unread:
+            return ()
+        readers = [
+            (other.file, other.reads) for other in counterparts(self.filename) if other.file != facts.file
+        ]
+        if facts.namings and facts.file.endswith("_drive") and all(self.lacks(n.path) for n in facts.namings):
+            readers += [(other.file, other.has_naming) for other in other_drives(facts.file)]
         return tuple(
-            (each, other.file)
+            (each, file)
             for each in unread
-            if (other := next((o for o in others if o.reads(each.name)), None)) is not None
+            if (file := next((file for file, reads in readers if reads(each.name)), "")) != ""
         )
 
     @lazy

@@ -3376,6 +3376,142 @@ PROBLEMS = {
         '<command_interface name="position"/>',
         "",
     ),
+    # Of names and tags that are misspelled, macros without what they take, and shapes that lie across others
+    "the attribute with the name of a link is misspelled": Problem(
+        "URD002", robot(ARM.replace('<link name="upper">', '<link @@="upper">')), "nmae", "name"
+    ),
+    "a joint is closed as if it were a link": Problem(
+        "XML001", robot(f"{ARM[:-9]}@@\n"), "</link>", "</joint>"
+    ),
+    "a line of a comment ends with a colon": Problem(
+        "URD015", robot("<!-- All others are mounted on it@@\n wheels and caster -->\n", CART), ":", ","
+    ),
+    "a macro is included and never called": in_xacro(
+        '<xacro:include filename="part.xacro"/>\n@@', "", '<xacro:part p="x"/>', "XAC022"
+    )._replace(
+        below=-2,
+        files={
+            "part.xacro": f"<robot{XACRO}>{PART}</robot>",
+            "view.launch": '<launch><param name="robot_description" command="xacro bot.urdf.xacro"/></launch>',
+        },
+    ),
+    "the text of an argument is compared without quotes": in_xacro(
+        '<xacro:arg name="tool" default="none"/>\n<link name="a"/>\n<xacro:if value="${@@ == \'none\'}">'
+        '<link name="b"/><joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></xacro:if>',
+        "$(arg tool)",
+        "'$(arg tool)'",
+        "XAC004",
+    ),
+    "a macro takes a place that its caller does not give": in_xacro(
+        '<xacro:macro name="arm" params="p *origin"><link name="${p}"/><joint name="${p}_joint" type="fixed">'
+        '<parent link="a"/><child link="${p}"/><xacro:insert_block name="origin"/></joint></xacro:macro>\n'
+        '<link name="a"/>\n<xacro:arm p="b">@@</xacro:arm>',
+        "",
+        '<origin xyz="0 0 1"/>',
+        "XAC008",
+    ),
+    "a joint of a macro lacks the prefix of two arms": in_xacro(
+        '<xacro:macro name="arm" params="p"><link name="${p}base"/>\n<joint name="@@world_joint" type="fixed">'
+        '<parent link="a"/><child link="${p}base"/></joint></xacro:macro>\n'
+        '<link name="a"/><xacro:arm p="left_"/><xacro:arm p="right_"/>',
+        "",
+        "${p}",
+        "NAM001",
+    ),
+    "the frame of a camera is in quotation marks": Problem(
+        "GAZ012",
+        robot(
+            CART,
+            DRIVE,
+            '<gazebo reference="body"><sensor name="s" type="camera"><topic>s</topic><camera>\n'
+            "<optical_frame_id>@@</optical_frame_id><horizontal_fov>1</horizontal_fov><image><width>640</width>"
+            "<height>480</height></image></camera></sensor></gazebo>",
+        ),
+        '"body"',
+        "body",
+    ),
+    "a car takes the radius of a wheel that has none": Problem(
+        "GEO012",
+        robot(
+            WAGON[::-1].replace(f"<collision>{RIM}"[::-1], "\n<collision>@@"[::-1], 1)[::-1],
+            '<gazebo><plugin filename="libgazebo_ros_ackermann_drive.so" name="drive">',
+            *(
+                f"<{name}>{joint}</{name}>"
+                for name, joint in (
+                    ("front_left_joint", "front_left_joint"),
+                    ("front_right_joint", "front_right_joint"),
+                    ("rear_left_joint", "left_joint"),
+                    ("rear_right_joint", "right_joint"),
+                )
+            ),
+            "</plugin></gazebo>",
+        ),
+        '<geometry><box size="0.14 0.05 0.14"/></geometry>',
+        RIM,
+    ),
+    "the base of a cart is not between its wheels": Problem(
+        "GAZ020",
+        robot(CART.replace('xyz="0 0.15', 'xyz="@@ 0.15').replace('xyz="0 -0.15', 'xyz="@@ -0.15'), DRIVE),
+        "-0.05",
+        "0",
+        below=11,
+    ),
+    "a drive has the joints of skid steering": Problem(
+        "RES019",
+        robot(
+            CART,
+            '<gazebo><plugin filename="libgazebo_ros_diff_drive.so" name="drive">\n@@\n'
+            "<wheelSeparation>0.3</wheelSeparation><wheelDiameter>0.14</wheelDiameter></plugin></gazebo>",
+        ),
+        "<leftFrontJoint>left_joint</leftFrontJoint><rightFrontJoint>right_joint</rightFrontJoint>",
+        "<leftJoint>left_joint</leftJoint><rightJoint>right_joint</rightJoint>",
+    ),
+    "a mesh for the looks lies across its collision": Problem(
+        "GEO003",
+        robot(
+            ARM.replace(
+                f"<visual>{ROD}</visual>\n",
+                '<visual><origin rpy="0 @@ 0"/><geometry><mesh filename="package://pathfinder/a.obj"/></geometry>'
+                "</visual>",
+            )
+        ),
+        "0",
+        "-1.5708",
+        files={
+            "package.xml": DESCRIBED["package.xml"],
+            "a.obj": "v 0 -0.04 -0.04\nv 0.4 0.04 0.04\nv 0.4 0 0\nf 1 2 3\n",
+        },
+    ),
+    "a sensor for Gazebo is in a link": Problem(
+        "URD001",
+        robot(ARM.replace('<link name="upper">\n', '<link name="upper">\n@@\n')),
+        '<sensor name="s" type="ray"><update_rate>10</update_rate></sensor>',
+        "",
+    ),
+    "the noise of a lidar is beside it": Problem(
+        "SCH003",
+        robot(
+            CART,
+            DRIVE,
+            f'<gazebo reference="body"><sensor name="s" type="gpu_lidar"><topic>s</topic><lidar>{SCAN}</lidar>\n@@\n'
+            "</sensor></gazebo>",
+        ),
+        "<noise><type>gaussian</type><stddev>0.01</stddev></noise>",
+        "",
+    ),
+    "the moments of a palm are those of a ball of half a meter": Problem(
+        "INR006",
+        robot(
+            ARM,
+            '<link name="palm"><inertial><mass value="0.1"/>\n<inertia ixx="@@" iyy="@@" izz="@@" ixy="0" ixz="0"'
+            ' iyz="0"/></inertial><visual><geometry><box size="0.08 0.08 0.03"/></geometry></visual><collision>'
+            '<geometry><box size="0.08 0.08 0.03"/></geometry></collision></link>\n<joint name="wrist" type="revolute">'
+            '<parent link="upper"/><child link="palm"/><origin xyz="0 0 0.41"/><axis xyz="0 0 1"/>'
+            '<limit lower="-1" upper="1" effort="5" velocity="1"/></joint>',
+        ),
+        "0.01",
+        "0.00008",
+    ),
 }
 
 

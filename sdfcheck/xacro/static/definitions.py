@@ -612,21 +612,31 @@ def is_robot(document: Document) -> bool:
         return False
     if root.name == "robot" and "name" not in root.attributes:
         return False
-    has_content = has_macros = has_includes = has_materials = False
+    found = _kinds_of_content(root)
+    return "content" in found or (bool(found & {"include", "material"}) and "macro" not in found)
+
+
+def has_content(document: Document) -> bool:
+    """Are there elements or macro calls outside of macros?"""
+    return document.root is not None and "content" in _kinds_of_content(document.root)
+
+
+def _kinds_of_content(root: Element) -> set[str]:
+    """The kinds of elements outside of macros: ``content``, ``macro``, ``include``, ``material``."""
+    found = set()
     todo = list(root.children())
     while todo:
         element = todo.pop()
         name = element.name
         if name in {"xacro:if", "xacro:unless"}:
             todo += element.children()
-        elif name in {"xacro:macro", "xacro:include"}:
-            has_macros |= name == "xacro:macro"
-            has_includes |= name == "xacro:include"
-        elif name == "material":
-            has_materials = True
-        elif name not in _NO_ROBOT:
-            has_content |= not name.startswith(PREFIX) or name in _CONTENT or name.count(":") == 1
-    return has_content or ((has_includes or has_materials) and not has_macros)
+        elif name in {"xacro:macro", "xacro:include", "material"}:
+            found.add(name.rpartition(":")[2])
+        elif name not in _NO_ROBOT and (
+            not name.startswith(PREFIX) or name in _CONTENT or name.count(":") == 1
+        ):
+            found.add("content")
+    return found
 
 
 def knows_all(document: Document) -> bool:

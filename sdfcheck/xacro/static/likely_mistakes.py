@@ -58,12 +58,12 @@ from sdfcheck.xacro.static.definitions import (
     Macro,
     Property,
     Reading,
+    has_content,
     is_conditional,
     is_free,
     is_in_include,
     is_name,
     is_outside,
-    is_robot,
     knows_all,
     lacks_prefix,
     own_words,
@@ -202,7 +202,7 @@ def oversights(document: Document, visible: Definitions) -> Iterator[Oversight]:
     yield from _rebound_prefixes(document, visible)
     if knows_all(document):
         yield from _unused(document, read, visible)
-    yield from _empty_robot(document, read)
+    yield from _empty_robot(document, visible)
 
 
 _NUMBER = re.compile(r"\d+")
@@ -761,15 +761,18 @@ def _named(element: Element) -> Span:
     return spans.attribute_value(element, "name") if "name" in element.attributes else element.span
 
 
-def _empty_robot(document: Document, read: Reading) -> Iterator[Oversight]:
-    """The macro to be called in a file of macros alone that a launch file expands, and that no other file includes."""
+def _empty_robot(document: Document, visible: Definitions) -> Iterator[Oversight]:
+    """The macro to be called in a robot of macros alone that a launch file expands, and that no other file includes."""
     root = document.root
-    if root is None or root.name != "robot" or is_robot(document) or root.has("xacro:include"):
-        return
-    if "name" not in root.attributes or has_namesake(document):
+    if root is None or root.name != "robot" or "name" not in root.attributes or has_namesake(document):
         return  # launch files are known to name the file, but not its folder
-    called = {call.name for call in read.calls}
-    uncalled = [macro for macro in read.macros if macro.name and macro.name not in called]
+    if visible.is_open or any(has_content(each.document) for each in visible.readings):
+        return
+    called = {call.name.rpartition(".")[2] for each in visible.readings for call in each.calls}
+    uncalled = [
+        macro for each in visible.readings for macro in each.macros if macro.name not in {"", *called}
+    ]
     if uncalled and is_launched(document) and not is_included(document):
         macro = next((each for each in uncalled if each.element.has("link")), uncalled[0])
-        yield EmptyRobot(_named(macro.element), macro.name)
+        is_own = macro.element.document is document
+        yield EmptyRobot(_named(macro.element if is_own else root), macro.name)
