@@ -82,6 +82,7 @@ def test_commands_run(
     assert name == "sdfcheck"
     if arguments[0] == "server":
         arguments.append("--help")
+    before = contents()
     given = [
         str(path) for word in arguments for path in (sorted(Path().glob(word)) if "*" in word else [word])
     ]
@@ -89,7 +90,20 @@ def test_commands_run(
     said = capsys.readouterr()
     assert code in {0, 1}, said.err
     assert "internal error" not in said.err
+    if contents() != before:
+        assert main(["lint", "--fix", "--exit-zero", "."]) == 0
+
+
+def contents() -> dict[Path, bytes]:
+    return {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
+
+
+def test_files_that_the_documents_name_are_fixed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    furnish(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    before = contents()
     assert main(["lint", "--fix", "--exit-zero", "."]) == 0
+    assert contents() != before
 
 
 def test_the_documents_have_commands() -> None:
