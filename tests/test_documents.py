@@ -181,11 +181,13 @@ def test_the_comment_on_the_page_of_a_rule_turns_it_off(
         assert main([*asked, *options]) in {0, 1}
         return [each["code"] for each in json.loads(capsys.readouterr().out)["diagnostics"]]
 
-    if code not in found() or code in _OWN | _MOVED:
-        pytest.skip("the example needs more than its file")
+    if code in _OWN | _MOVED:
+        pytest.skip("the comment is what it is about, or moves it")
     assert main(["lint", "--isolated", "--select", code, "--add-ignore", "-q", str(file)]) in {0, 1}
     capsys.readouterr()
     if file.read_text(encoding="utf-8") == text:
+        if code not in found():
+            pytest.skip("the example needs more than its file")
         assert trial.rule.__module__.split(".")[-2] == "xml", "only a broken text has no place for a comment"
         return
     assert found() == []

@@ -160,7 +160,7 @@ def nodes_of(path: Path) -> list[ast.AST]:
 @pytest.mark.parametrize("folder", [*CODE, "action.py"])
 def test_code_uses_plain_words(folder: str) -> None:
     """In comments, docstrings and names; in texts, too, where people read them."""
-    found = []
+    found: list[str] = []
     for path in modules(ROOT / folder):
         nodes, where = nodes_of(path), path.relative_to(ROOT)
         texts = [*notes(path, nodes)]
