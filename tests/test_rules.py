@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import re
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -47,7 +47,7 @@ KNOWN = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
 REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-7", "URD001-bad-2"}
 """Unsafe fixes after which something that was not read is read, and an error is found in it."""
 pytestmark = pytest.mark.usefixtures("elsewhere")
-Lint = Callable[[str, Bad | Good, Path], list[Diagnostic]]
+LINT = BENCH.lint
 
 
 def test_metadata() -> None:
@@ -91,45 +91,31 @@ def remedy(rule: type[Rule]) -> None:
     assert len(advice & defect) < len(advice | defect) / 2, "it repeats the defect"
 
 
-@pytest.fixture(scope="module", autouse=True)
-def lint() -> Iterator[Linter]:
-    """Each text of an example is linted once, for all that is expected of it."""
-    with pytest.MonkeyPatch.context() as patch:
-        linter = Linter(BENCH.lint)
-        patch.setattr(BENCH, "lint", linter)
-        yield linter
+def once(folder: Path) -> Callable[[str, Bad | Good], list[Diagnostic]]:
+    """Lints each text of an example once, for all that is expected of it, among the other files in a folder."""
+    done: dict[str, list[Diagnostic]] = {}
 
+    def lint(text: str, example: Bad | Good) -> list[Diagnostic]:
+        if text not in done:
+            done[text] = LINT(text, example, folder)
+        return done[text]
 
-class Linter:
-    """Lints the texts of one example after another, each in a folder of its own."""
-
-    def __init__(self, lint: Lint) -> None:
-        self.lint = lint
-        self.folder = Path()
-        self.done: dict[str, list[Diagnostic]] = {}
-
-    def begin(self, folder: Path) -> None:
-        folder.mkdir(parents=True)
-        self.folder = folder
-        self.done.clear()
-
-    def __call__(self, text: str, example: Bad | Good) -> list[Diagnostic]:
-        if text not in self.done:
-            self.done[text] = self.lint(text, example, self.folder)
-        return self.done[text]
+    return lint
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
-def test_examples(rule: type[Rule], lint: Linter, tmp_path: Path) -> None:
+def test_examples(rule: type[Rule], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def check(trial: Trial) -> None:
         # The project of a file may be the folder above it, which examples would share.
-        lint.begin(tmp_path / repr(trial) / "test")
+        folder = tmp_path / repr(trial) / "test"
+        folder.mkdir(parents=True)
+        monkeypatch.setattr(BENCH, "lint", once(folder))
         if rule.applies is not Rule.applies:
             parts_that_the_condition_applies_to_are_reported(trial)
         trial.check()
         if trial.kind == "bad":
             the_finding_is_in_house_style_and_says_what_to_do(trial)
-            fixing_comes_to_rest(trial, lint.folder)
+            fixing_comes_to_rest(trial, folder)
 
     each([trial for trial in TRIALS if trial.rule is rule], check)
 
@@ -180,14 +166,14 @@ def fixing_comes_to_rest(trial: Trial, folder: Path) -> None:
     def again(file: Selected) -> tuple[list[Diagnostic], int]:
         return BENCH.lint(file.data.decode(), example), 0
 
-    once = fix_file(selected(data, path), again, unsafe=True)
+    fixed = fix_file(selected(data, path), again, unsafe=True)
     if repr(trial) in REVEALS:
-        assert once.refusal.startswith("the edits would bring in `")
+        assert fixed.refusal.startswith("the edits would bring in `")
         return
-    assert not once.refusal
-    assert (once.after != data) is (once.fixed > 0)
-    assert once.fixed or example.fixed is None
-    left = BENCH.lint(once.after.decode(), example)
+    assert not fixed.refusal
+    assert (fixed.after != data) is (fixed.fixed > 0)
+    assert fixed.fixed or example.fixed is None
+    left = BENCH.lint(fixed.after.decode(), example)
     assert applicable(left, path, unsafe=True) == []
     if example.fixed is not None:
         assert [d.message for d in left if d.code == trial.rule.code] == []
