@@ -49,7 +49,7 @@ test: $(TOOLS) compiled
 quick: $(TOOLS) compiled
 	$(BIN)/python -m pytest -m "not slow" tests/unit tests/test_rules.py
 
-check: format-check lint types layers generated test
+check: format-check lint types generated test
 
 layers: $(TOOLS)
 	$(BIN)/python -m pytest -q -n0 tests/test_layers.py tests/test_style.py

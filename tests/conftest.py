@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import shutil
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -27,6 +29,16 @@ def pytest_make_parametrize_id(val: object, argname: str) -> str | None:
     return argname if isinstance(val, (str, bytes)) and len(val) > 200 else None
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[None]:
+    """The modules of tests are kept as pytest compiles them, as `make compiled` keeps the others."""
+    before, sys.dont_write_bytecode = sys.dont_write_bytecode, False
+    try:
+        return (yield)
+    finally:
+        sys.dont_write_bytecode = before
+
+
 @pytest.fixture(scope="session")
 def stride(request: pytest.FixtureRequest) -> Callable[[int], int]:
     """How to step through a long list: ``files[:: stride(5)]`` is every fifth, or all with ``--all-examples``."""
@@ -40,6 +52,28 @@ def tmp_path(tmp_path: Path) -> Path:
     folder = tmp_path / "test"
     folder.mkdir()
     return folder
+
+
+@pytest.fixture(scope="session")
+def copied(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Path], Path]:
+    """Where a file below ``fixtures/robots`` is in a copy that is a project of its own, and so a small one."""
+    robots = Path(__file__).parents[1] / "fixtures" / "robots"
+    copy = Path(shutil.copytree(robots, tmp_path_factory.mktemp("project") / "robots"))
+    (copy / ".git").mkdir()
+    return lambda path: copy / path.relative_to(robots)
+
+
+@pytest.fixture(scope="session")
+def _empty_project(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("empty")
+    (folder / ".git").mkdir()
+    return folder
+
+
+@pytest.fixture
+def elsewhere(_empty_project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Texts without a folder are in an empty project: that of the tests has thousands of files, which rules read."""
+    monkeypatch.chdir(_empty_project)
 
 
 @pytest.fixture(autouse=True)

@@ -64,9 +64,9 @@ class Copy:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        ignored = shutil.ignore_patterns("__pycache__")
-        shutil.copytree(ROOT / "sdfcheck", folder / "sdfcheck", ignore=ignored)
-        shutil.copytree(ROOT / "rules", folder / "sdfcheck_rules", ignore=ignored)
+        # With what Python has compiled, so that each start of the copy compiles the changes alone.
+        shutil.copytree(ROOT / "sdfcheck", folder / "sdfcheck")
+        shutil.copytree(ROOT / "rules", folder / "sdfcheck_rules")
 
     def add(self, name: str, text: str) -> None:
         path = self.folder / name

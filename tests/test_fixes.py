@@ -1,4 +1,4 @@
-"""Fixes come to rest: applied to every rule's examples, they break nothing and leave nothing to fix."""
+"""Fixes do no harm: whichever are applied to examples, random texts and public files, they break nothing."""
 
 from __future__ import annotations
 
@@ -12,34 +12,18 @@ from hypothesis import strategies as st
 
 from sdfcheck.lint.config.configuration import Configuration
 from sdfcheck.lint.diagnostic import Diagnostic
-from sdfcheck.lint.example import Bad, fill, unmark
-from sdfcheck.lint.fix.fixer import FixedFile, applicable, fix_file
+from sdfcheck.lint.example import fill, unmark
+from sdfcheck.lint.fix.fixer import FixedFile, fix_file
 from sdfcheck.lint.one_file import Caches, Selected, lint_file
 from sdfcheck.lint.rulebook.rulebook import RuleBook
 from sdfcheck.lint.rulebook.trial import Trial, file_name
-from sdfcheck.source.sniff import Kind, sniff
 from tests.fuzz.documents import Text, changed, fixtures
 from tests.harm_of_fixes import harm
-from tests.test_rules import BENCH, TRIALS
+from tests.test_rules import TRIALS, selected
 
 CORPUS = Path(__file__).parents[2] / "shared" / "corpus"
-KNOWN = {Kind.SDF, Kind.URDF, Kind.XACRO, Kind.MODEL_CONFIG}
+pytestmark = pytest.mark.usefixtures("elsewhere")
 BOOK = RuleBook()
-REVEALS = {"DRK001-bad-1", "DRK017-bad-1", "RES004-bad-7", "URD001-bad-2"}
-"""Unsafe fixes after which something that was not read is read, and an error is found in it."""
-
-
-def fixed_file(data: bytes, path: Path, example: Bad, folder: Path) -> FixedFile:
-    def again(file: Selected) -> tuple[list[Diagnostic], int]:
-        return BENCH.lint(file.data.decode(), example, folder), 0
-
-    return fix_file(selected(data, path), again, unsafe=True)
-
-
-def selected(data: bytes, path: Path) -> Selected:
-    # A broken text may be anything; the parser decides.
-    kind = sniff(data, path)
-    return Selected(path, data, kind if kind in KNOWN else Kind.BROKEN_XML)
 
 
 def some_fixed(data: bytes, path: Path, chance: Random, share: float, *, unsafe: bool) -> FixedFile:
@@ -52,27 +36,6 @@ def some_fixed(data: bytes, path: Path, chance: Random, share: float, *, unsafe:
             return [each if chance.random() < share else each._replace(fix=None) for each in found], silenced
 
         return fix_file(selected(data, path), lint, unsafe=unsafe)
-
-
-@pytest.mark.parametrize("trial", [trial for trial in TRIALS if trial.kind == "bad"], ids=repr)
-def test_fixing_comes_to_rest(trial: Trial, tmp_path: Path) -> None:
-    rule, example = trial.rule, trial.example
-    assert isinstance(example, Bad)
-    text = unmark(fill(rule.scaffold, example))[0]
-    data, path = text.encode(), Path(file_name(text, example))
-    if example.files is not None:
-        path = tmp_path / path
-    once = fixed_file(data, path, example, tmp_path)
-    if repr(trial) in REVEALS:
-        assert once.refusal.startswith("the edits would bring in `")
-        return
-    assert not once.refusal
-    assert (once.after != data) is (once.fixed > 0)
-    assert once.fixed or example.fixed is None
-    left = BENCH.lint(once.after.decode(), example, tmp_path)
-    assert applicable(left, path, unsafe=True) == []
-    if example.fixed is not None:
-        assert [d.message for d in left if d.code == rule.code] == []
 
 
 @pytest.mark.parametrize(

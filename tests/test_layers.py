@@ -6,10 +6,13 @@ import ast
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+
+pytestmark = pytest.mark.xdist_group(__name__)
 
 ROOT = Path(__file__).parents[1]
 ENGINE = ROOT / "sdfcheck"
@@ -55,8 +58,13 @@ def modules(folder: Path) -> list[Path]:
     return sorted(folder.rglob("*.py"))
 
 
-def imports(path: Path) -> Iterator[Import]:
+@cache
+def imports(path: Path) -> tuple[Import, ...]:
     """Every import of a module, also those inside functions and for annotations only."""
+    return tuple(_imports(path))
+
+
+def _imports(path: Path) -> Iterator[Import]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             for alias in node.names:
@@ -188,7 +196,7 @@ def test_the_engine_names_no_rule() -> None:
 def test_imports_inside_functions_are_seen(tmp_path: Path) -> None:
     module = tmp_path / "late.py"
     module.write_text("def f() -> None:\n    from sdfcheck.cli import main\n    import numpy.linalg\n")
-    assert list(imports(module)) == [Import(2, "sdfcheck.cli", ("main",)), Import(3, "numpy.linalg", ())]
+    assert imports(module) == (Import(2, "sdfcheck.cli", ("main",)), Import(3, "numpy.linalg", ()))
 
 
 def test_the_engine_does_not_fall_into_more_pieces() -> None:

@@ -16,6 +16,7 @@ from sdfcheck.release import HOME, rule_page
 
 pytestmark = [
     pytest.mark.slow,
+    pytest.mark.xdist_group(__name__),
     pytest.mark.skipif(
         importlib.util.find_spec("mike") is None,
         reason="mike is not installed (pip install 'sdfcheck[docs]')",

@@ -56,10 +56,13 @@ _FENCE = re.compile(r"^( *)```.*?^\1```$", re.MULTILINE | re.DOTALL)
 _CODE = re.compile(r"``[^`]+``|`[^`\n]*`")
 
 
+def without_code(markdown: str) -> str:
+    """A page without its blocks of code; the lines stay where they are."""
+    return _FENCE.sub(lambda match: "\n" * match[0].count("\n"), markdown)
+
+
 def prose(markdown: str) -> str:
-    """A page without its code; the lines stay where they are."""
-    text = _FENCE.sub(lambda match: "\n" * match[0].count("\n"), markdown)
-    return _CODE.sub("`…`", text)
+    return _CODE.sub("`…`", without_code(markdown))
 
 
 def complaints(text: str, where: str) -> Iterator[str]:
@@ -69,20 +72,24 @@ def complaints(text: str, where: str) -> Iterator[str]:
         yield f"{where}:{line}: {match[0]!r} in …{around}…"
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_pages_use_plain_words(page: Path) -> None:
-    text = prose(page.read_text(encoding="utf-8"))
-    found = [*complaints(text, page.name)]
+def test_pages_use_plain_words() -> None:
+    found = [
+        complaint
+        for page in PAGES
+        for complaint in complaints(prose(page.read_text(encoding="utf-8")), page.name)
+    ]
     assert not found, "\n".join(found)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_lines_of_pages_fit(page: Path) -> None:
+def test_lines_of_pages_fit() -> None:
     """Tables and code cannot be folded."""
-    text = _FENCE.sub(lambda match: "\n" * match[0].count("\n"), page.read_text(encoding="utf-8"))
-    lines = enumerate(text.splitlines(), 1)
-    long = [number for number, line in lines if len(line) > LONGEST and not line.lstrip().startswith("|")]
-    assert long == [], f"lines of {page.name}: run `make format`"
+    long = [
+        f"{page.name}:{number}"
+        for page in PAGES
+        for number, line in enumerate(without_code(page.read_text(encoding="utf-8")).splitlines(), 1)
+        if len(line) > LONGEST and not line.lstrip().startswith("|")
+    ]
+    assert long == [], "run `make format`"
 
 
 @pytest.mark.parametrize("name", [*(name for name in COMMANDS if name != "convert"), *CONVERSIONS, ""])
@@ -93,12 +100,11 @@ def test_help_uses_plain_words(name: str, capsys: pytest.CaptureFixture[str]) ->
     assert [*complaints(text, name)] == []
 
 
-@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.code)
-def test_manuals_use_plain_words(rule: type) -> None:
-    texts = (rule.__doc__ or "", _FENCE.sub("", inspect.cleandoc(getattr(rule, "remedy", ""))))
+def test_manuals_use_plain_words() -> None:
     found = [
         complaint
-        for text in texts
+        for rule in RULES
+        for text in (rule.__doc__ or "", _FENCE.sub("", inspect.cleandoc(getattr(rule, "remedy", ""))))
         for complaint in complaints(_CODE.sub("`…`", " ".join(text.split())), rule.__name__)
     ]
     assert not found, "\n".join(found)
@@ -109,47 +115,35 @@ def test_losses_use_plain_words() -> None:
     assert not found, "\n".join(found)
 
 
-def sentences(path: Path) -> Iterator[tuple[int, str]]:
+Place = tuple[int, str]
+"""A line, and a text on it."""
+
+
+def sentences(nodes: list[ast.AST]) -> Iterator[Place]:
     """The texts of a module that have several words, but for its docstrings: messages and titles."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    notes = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    for node in ast.walk(tree):
+    notes = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    for node in nodes:
         if not isinstance(node, ast.Constant) or not isinstance(node.value, str) or id(node) in notes:
             continue
         if " " in node.value.strip() and "<" not in node.value:
             yield node.lineno, node.value
 
 
-@pytest.mark.parametrize("folder", ["rules", "sdfcheck", "action.py"])
-def test_messages_use_plain_words(folder: str) -> None:
-    top = ROOT / folder
-    modules = [top] if top.is_file() else sorted(top.rglob("*.py"))
-    found = [
-        complaint
-        for path in modules
-        if path.name not in GENERATED
-        for number, text in sentences(path)
-        for complaint in complaints(_CODE.sub("`…`", text), f"{path.relative_to(ROOT)}:{number}")
-        if not SUBJECT.match(text)
-    ]
-    assert not found, "\n".join(found)
-
-
-def notes(path: Path) -> Iterator[tuple[int, str]]:
+def notes(path: Path, nodes: list[ast.AST]) -> Iterator[Place]:
     """The comments and docstrings of a module, each as one line a paragraph."""
     with tokenize.open(path) as file:
         for token in tokenize.generate_tokens(file.readline):
             if token.type == tokenize.COMMENT:
                 yield token.start[0], token.string.lstrip("#: ")
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes:
         match node:
             case ast.Expr(value=ast.Constant(value=str() as text)):
                 yield node.lineno, "\n\n".join(" ".join(part.split()) for part in text.split("\n\n"))
 
 
-def names(path: Path) -> Iterator[tuple[int, str]]:
+def names(nodes: list[ast.AST]) -> Iterator[Place]:
     """The names that a module defines: of functions, classes, arguments and variables."""
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in nodes:
         match node:
             case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
                 yield node.lineno, name
@@ -159,35 +153,38 @@ def names(path: Path) -> Iterator[tuple[int, str]]:
                 yield node.lineno, name
 
 
-@pytest.mark.parametrize("folder", CODE)
-def test_comments_and_docstrings_use_plain_words(folder: str) -> None:
-    found = [
-        complaint
-        for path in sorted((ROOT / folder).rglob("*.py"))
-        if path.name not in GENERATED
-        for number, text in notes(path)
-        for complaint in complaints(_CODE.sub("`…`", text), f"{path.relative_to(ROOT)}:{number}")
-    ]
+def nodes_of(path: Path) -> list[ast.AST]:
+    return list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+
+
+@pytest.mark.parametrize("folder", [*CODE, "action.py"])
+def test_code_uses_plain_words(folder: str) -> None:
+    """In comments, docstrings and names; in texts, too, where people read them."""
+    found: list[str] = []
+    for path in modules(ROOT / folder):
+        nodes, where = nodes_of(path), path.relative_to(ROOT)
+        texts = [*notes(path, nodes)]
+        if folder in {"rules", "sdfcheck", "action.py"}:
+            texts += [place for place in sentences(nodes) if not SUBJECT.match(place[1])]
+        for number, text in texts:
+            found += complaints(_CODE.sub("`…`", text), f"{where}:{number}")
+        odd = (place for place in names(nodes) if NAMES.search(place[1]) or CLAUSE.match(place[1]))
+        found += [f"{where}:{number}: {name}" for number, name in odd]
     assert not found, "\n".join(found)
 
 
-@pytest.mark.parametrize("folder", CODE)
-def test_names_are_plain_words(folder: str) -> None:
-    found = [
-        f"{path.relative_to(ROOT)}:{number}: {name}"
-        for path in sorted((ROOT / folder).rglob("*.py"))
-        if path.name not in GENERATED
-        for number, name in names(path)
-        if NAMES.search(name) or CLAUSE.match(name)
-    ]
-    assert not found, "\n".join(found)
+def modules(top: Path) -> list[Path]:
+    found = [top] if top.is_file() else sorted(top.rglob("*.py"))
+    assert found
+    return [path for path in found if path.name not in GENERATED]
 
 
 def test_comments_docstrings_and_names_are_read(tmp_path: Path) -> None:
     module = tmp_path / "module.py"
     module.write_text('def told(one):\n    """First.\n\n    Then,\n    more."""\n    one.slips = 1  # why\n')
-    assert [*notes(module)] == [(6, "why"), (2, "First.\n\nThen, more.")]
-    assert sorted(names(module)) == [(1, "one"), (1, "told"), (6, "slips")]
+    nodes = nodes_of(module)
+    assert [*notes(module, nodes)] == [(6, "why"), (2, "First.\n\nThen, more.")]
+    assert sorted(names(nodes)) == [(1, "one"), (1, "told"), (6, "slips")]
     assert NAMES.search("_tell_all")
     assert not NAMES.search("slipped")
     assert CLAUSE.match("test_what_is_left")

@@ -9,9 +9,10 @@ import pytest
 
 from sdfcheck.cli.parts.descriptions import SearchContext
 from sdfcheck.cli.targets import verdicts
-from sdfcheck.consumers.engines import RUN_BY, Limits, Question, ask, is_installed
+from sdfcheck.consumers.engines import RUN_BY, Answer, Limits, Question, ask_all, is_installed
 from sdfcheck.consumers.reaction import Consumer, Verdict
 from sdfcheck.lint.config.configuration import Configuration
+from tests.each import each
 
 pytestmark = pytest.mark.peers
 
@@ -94,18 +95,30 @@ WITHOUT = {
 
 
 @pytest.mark.parametrize("consumer", list(Consumer))
-@pytest.mark.parametrize("lacking", WITHOUT)
-def test_the_verdict_is_that_of_the_consumer(tmp_path: Path, consumer: Consumer, lacking: str) -> None:
+def test_the_verdict_is_that_of_the_consumer(tmp_path: Path, consumer: Consumer) -> None:
     engine = RUN_BY[consumer]
     if not is_installed(engine):
         pytest.skip(f"{engine.value} is not installed")
-    with_it, without = WITHOUT[lacking]
+    files = [
+        written(tmp_path / f"{number}" / "robot.urdf", *texts)
+        for number, texts in enumerate(WITHOUT.values())
+    ]
+    answers = list(ask_all(engine, map(Question, files), Limits(20.0)))
+    version = answers[0].version
+    if consumer is Consumer.GAZEBO and int(version.partition(".")[0] or 0) < OLDEST:
+        pytest.skip(f"libsdformat {version} is older than the one whose verdicts are predicted")
+
+    def check(case: tuple[str, Path, Answer]) -> None:
+        _, file, answer = case
+        (row,) = verdicts(file, (consumer,), SearchContext(Configuration(isolated=True)))
+        words = re.sub(r"\s+", " ", answer.error)[:200]
+        assert (row.verdict is Verdict.REJECT) is (not answer.is_accepted), (row.verdict, words)
+
+    each(list(zip(WITHOUT, files, answers, strict=True)), check, lambda case: case[0])
+
+
+def written(file: Path, with_it: str, without: str) -> Path:
     assert with_it in ROBOT
-    file = tmp_path / "robot.urdf"
+    file.parent.mkdir()
     file.write_text(ROBOT.replace(with_it, without, 1), "utf-8")
-    (row,) = verdicts(file, (consumer,), SearchContext(Configuration(isolated=True)))
-    answer = ask(engine, Question(file), Limits(20.0))
-    if consumer is Consumer.GAZEBO and int(answer.version.partition(".")[0] or 0) < OLDEST:
-        pytest.skip(f"libsdformat {answer.version} is older than the one whose verdicts are predicted")
-    words = re.sub(r"\s+", " ", answer.error)[:200]
-    assert (row.verdict is Verdict.REJECT) is (not answer.is_accepted), (row.verdict, words)
+    return file

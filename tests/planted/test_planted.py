@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from itertools import islice
 from pathlib import Path
 
@@ -49,14 +50,14 @@ def test_a_ring_is_made_of_two_joints(tmp_path: Path) -> None:
     assert page.line(change.at) == 5
 
 
-def test_mistakes_are_caught_on_their_line() -> None:
-    planted = list(plant(subjects_in(ROBOTS), 2 * len(MISTAKES), random.Random(1)))
+def test_mistakes_are_caught_on_their_line(copied: Callable[[Path], Path]) -> None:
+    planted = list(plant(subjects_in(copied(ROBOTS)), 2 * len(MISTAKES), random.Random(1)))
     assert len({each.kind for each in planted}) > 20
     assert [each for each in planted if not each.is_placed] == []
 
 
-def test_harmless_changes_change_no_finding() -> None:
-    changed = list(change(subjects_in(ROBOTS), 3 * len(HARMLESS), random.Random(1)))
+def test_harmless_changes_change_no_finding(copied: Callable[[Path], Path]) -> None:
+    changed = list(change(subjects_in(copied(ROBOTS)), 3 * len(HARMLESS), random.Random(1)))
     assert len({each.kind for each in changed}) == len(HARMLESS)
     assert [each for each in changed if each.is_caught] == []
 

@@ -63,10 +63,11 @@ def _accounts() -> None:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder for each example, among the other files that it names; every fourth of them is in one folder."""
     top = tmp_path_factory.mktemp("examples")
-    (top / ".git").mkdir()  # nothing around it belongs to them
     for number, (name, text, others) in enumerate(examples()):
+        own = top / str(number % PARTS) / f"{number:04}"
+        (own / ".git").mkdir(parents=True)  # a project, to which nothing around it belongs
         for file, content in {**others, name: text}.items():
-            path = top / str(number % PARTS) / f"{number:04}" / file
+            path = own / file
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(content, encoding="utf-8")
     return top

@@ -21,9 +21,8 @@ LINK = '<sdf version="1.{}"><model name="m"><link name="l" grip="{}"/></model></
 def following(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of sdfcheck that knows a version more, in which links have an attribute `grip`."""
     copy = tmp_path_factory.mktemp("following")
-    ignored = shutil.ignore_patterns("__pycache__", "conditions.py")
-    shutil.copytree(PACKAGE, copy / "sdfcheck", ignore=ignored)
-    shutil.copytree(RULES, copy / "sdfcheck_rules", ignore=ignored)
+    shutil.copytree(PACKAGE, copy / "sdfcheck")
+    shutil.copytree(RULES, copy / "sdfcheck_rules", ignore=shutil.ignore_patterns("conditions*"))
     change(
         copy / "sdfcheck/formats/data/sdf.txt",
         "\nlink\t",

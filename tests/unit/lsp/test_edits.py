@@ -83,7 +83,10 @@ def ask_everything(workspace: Workspace, path: Path, offset: int) -> None:
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 @settings(max_examples=2, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())
-def test_edits_leave_the_state_of_a_fresh_reading(path: Path, data: st.DataObject) -> None:
+def test_edits_leave_the_state_of_a_fresh_reading(
+    path: Path, copied: Callable[[Path], Path], data: st.DataObject
+) -> None:
+    path = copied(path)
     workspace = Workspace()
     workspace.choose(Choices(expand=False))
     findings = Findings(workspace)
@@ -115,7 +118,10 @@ def shown(findings: Findings, path: Path) -> list[tuple[object, ...]]:
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_renaming_and_back_gives_the_same_bytes(path: Path, stride: Callable[[int], int]) -> None:
+def test_renaming_and_back_gives_the_same_bytes(
+    path: Path, copied: Callable[[Path], Path], stride: Callable[[int], int]
+) -> None:
+    path = copied(path)
     text = path.read_bytes().decode()
     workspace = Workspace()
     buffer = workspace.open(path.as_uri(), path, text, 1)

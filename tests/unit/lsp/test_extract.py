@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -148,7 +149,10 @@ def test_a_change_of_the_expansion_is_noticed() -> None:
 
 
 @pytest.mark.parametrize("path", XACRO, ids=lambda path: path.name)
-def test_every_extraction_from_real_files_keeps_their_expansion(path: Path) -> None:
+def test_every_extraction_from_real_files_keeps_their_expansion(
+    path: Path, copied: Callable[[Path], Path]
+) -> None:
+    path = copied(path)
     workspace = Workspace()
     buffer = workspace.open(path.as_uri(), path, path.read_text(), 1)
     document = workspace.document(path)

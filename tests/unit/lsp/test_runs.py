@@ -7,6 +7,7 @@ import gc
 import threading
 import time
 import weakref
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -176,8 +177,8 @@ async def test_a_job_that_fails_does_not_end_the_thread() -> None:
 
 
 @pytest.mark.parametrize("name", ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf"])
-def test_an_old_reading_is_let_go_at_once(name: str) -> None:
-    path = ROBOTS / name
+def test_an_old_reading_is_let_go_at_once(name: str, copied: Callable[[Path], Path]) -> None:
+    path = copied(ROBOTS / name)
     workspace = Workspace()
     findings = Findings(workspace)
     buffer = workspace.open(path.as_uri(), path, path.read_text(), 1)
@@ -198,8 +199,8 @@ def test_an_old_reading_is_let_go_at_once(name: str) -> None:
     "name",
     ["diff_drive/model.sdf", "desk_arm/desk_arm.urdf", "rover/rover.urdf.xacro", "workcell/workcell.world"],
 )
-def test_edits_leave_no_rest(name: str) -> None:
-    path = ROBOTS / name
+def test_edits_leave_no_rest(name: str, copied: Callable[[Path], Path]) -> None:
+    path = copied(ROBOTS / name)
     text = path.read_text()
     workspace = Workspace()
     workspace.choose(Choices(expand=False))

@@ -11,6 +11,7 @@ import pytest
 from sdfcheck.cli.main import COMMANDS, main
 from sdfcheck.lint.rulebook.packs import load_index
 from sdfcheck.report.manual import Manual, Manuals, record, render
+from tests.each import each
 
 COMMAND = re.compile(r"`sdfcheck ([^`]+)`")
 INDEX = load_index()
@@ -27,21 +28,20 @@ def named(name: str) -> Manual:
     return next(page_of(facts.code) for facts in INDEX.facts if facts.name == name)
 
 
-@pytest.mark.parametrize("code", BY_CODE)
-def test_each_example_is_shown_with_its_report(code: str) -> None:
-    page = page_of(code)
+def test_each_example_is_shown_with_its_report_and_is_not_both_wrong_and_right() -> None:
+    each(map(page_of, BY_CODE), is_shown, lambda page: page.facts.code)
+
+
+def is_shown(page: Manual) -> None:
     for example in page.bad:
         first = example.report.partition("\n")[0]
         assert f"[{page.facts.code}]: " in first, example.text
     assert page.sources
     assert page.since
-
-
-@pytest.mark.parametrize("code", BY_CODE)
-def test_no_example_is_both_wrong_and_right(code: str) -> None:
-    page = page_of(code)
-    wrong = {(example.name, example.text, tuple(example.files.items())) for example in page.bad}
-    right = {(example.name, example.text, tuple(example.files.items())) for example in page.good}
+    wrong, right = (
+        {(example.name, example.text, tuple(example.files.items())) for example in examples}
+        for examples in (page.bad, page.good)
+    )
     assert not wrong & right
 
 
