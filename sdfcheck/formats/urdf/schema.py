@@ -17,7 +17,7 @@ from sdfcheck.formats.version import Version
 from sdfcheck.source.record import NamedTuple
 
 if TYPE_CHECKING:
-    from sdfcheck.source.document import Element
+    from sdfcheck.source.document import Document, Element
 
 VERSIONS = (Version(1, 0), Version(1, 1), Version(1, 2))
 """The versions of URDF; a document without one has the first."""
@@ -185,8 +185,16 @@ def _places() -> tuple[Definition, ...]:
 
 def knows_all(element: Element) -> bool:
     """Are the names of all attributes and children of an element those of its place, as in nearly all robots?"""
-    place = definition(element)
-    return place is None or (
-        element.attributes.keys() <= place.attributes.keys()
-        and all(child.name in place.children for child in element.children())
-    )
+    known = element.document.view(_known)
+    if element not in known:
+        place = definition(element)
+        known[element] = place is None or (
+            element.attributes.keys() <= place.attributes.keys()
+            and all(child.name in place.children for child in element.children())
+        )
+    return known[element]
+
+
+def _known(document: Document) -> dict[Element, bool]:
+    """The answers so far: a robot is asked for each of its parts."""
+    return {}
