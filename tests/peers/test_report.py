@@ -112,7 +112,7 @@ def test_the_keyboard_is_enough(tab: chromium.Tab, report: Path) -> None:
     is_open = "document.activeElement.closest('details').open"
     for key, number in (("j", 0), ("j", 1), ("k", 0)):
         press(key)
-        # What the page forbids to evaluate cannot be waited for by a function.
+        # A function to wait for would be evaluated, which the page forbids.
         tab.page.wait_for_selector(f":nth-match(details.finding, {number + 1}) > summary:focus")
     before = tab.run(is_open)
     press("Enter")
