@@ -79,7 +79,7 @@ def dropped(root: Root) -> Iterator[Element]:
     for element in root.elements.get("initial_position", ()):
         if element.parent is not None and element.parent.name in {"axis", "axis2"}:
             yield element
-    if (frame := frame_of(root)) and f"{frame}=" in root.document.source.text:
+    if frame := frame_of(root):
         for inertial in root.elements.get("inertial", ()):
             pose = inertial.find("pose")
             if pose is not None and pose.text_of(frame):

@@ -325,7 +325,7 @@ def text_problems(element: Element, definition: Definition) -> Iterator[object]:
 
 
 def _as_read(definition: Definition, reading: Reading) -> Reading:
-    """How a text is read that perhaps no consumer looks at."""
+    """The same reading, but not refused where no consumer reads the value."""
     return reading._replace(refused=reading.refused and history.is_read(definition))
 
 

@@ -110,9 +110,9 @@ def carried_over(parent: Definition, name: str, version: Version) -> bool:
 
 
 def is_read(definition: Definition) -> bool:
-    """Whether consumers look at a value at all, which bring a document up to the newest version before.
+    """Do consumers read a value? They bring a document up to the newest version first, which may have no place for it.
 
-    A flag that went out becomes something else if it is true.
+    Of a flag that went out only the words for true mean something.
     """
     moved = (place for place, _ in _notes(definition, "moved"))
     is_known = in_version(definition, NEWEST) is not None

@@ -240,9 +240,9 @@ class Part:
         if not self.is_given:
             return None
         if self.is_urdf:
-            from sdfcheck.formats.urdf.schema import knows_all
+            from sdfcheck.formats.urdf.schema import has_known_names
 
-            if knows_all(self.element):
+            if has_known_names(self.element):
                 return None
             from sdfcheck.formats.urdf.findings import misnamed
 

@@ -43,13 +43,18 @@ class Loaded:
         flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_USE_SELF_COLLISION
         try:
             if question["path"].endswith((".sdf", ".world")):
-                self.robot = bullet.loadSDF(question["path"], physicsClientId=self.client)[0]
+                robots = bullet.loadSDF(question["path"], physicsClientId=self.client)
             else:
-                self.robot = bullet.loadURDF(
-                    with_packages(question), useFixedBase=held, flags=flags, physicsClientId=self.client
-                )
-        except (bullet.error, IndexError) as error:
+                robots = [
+                    bullet.loadURDF(
+                        with_packages(question), useFixedBase=held, flags=flags, physicsClientId=self.client
+                    )
+                ]
+        except bullet.error as error:
             raise Refused(str(error)) from None
+        if not robots:
+            raise Refused("it finds no model in the file")
+        self.robot = robots[0]
         if gravity:
             bullet.setGravity(0, 0, -9.81, physicsClientId=self.client)
         count = bullet.getNumJoints(self.robot, self.client)

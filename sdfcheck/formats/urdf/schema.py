@@ -183,8 +183,8 @@ def _places() -> tuple[Definition, ...]:
     return tuple(places)
 
 
-def knows_all(element: Element) -> bool:
-    """Are the names of all attributes and children of an element those of its place, as in nearly all robots?"""
+def has_known_names(element: Element) -> bool:
+    """Does its place have all attributes and children of an element? In nearly all robots it has."""
     known = element.document.view(_known)
     if element not in known:
         place = definition(element)

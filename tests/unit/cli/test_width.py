@@ -15,7 +15,7 @@ from sdfcheck.release import HOME
 from tests.unit.cli.terminals import Terminal, cells, screen
 
 PATROL = Path(__file__).parents[3] / "fixtures" / "robots" / "with_mistakes" / "patrol_bot.sdf"
-WIDTHS = (80, 160)
+WIDTHS = (80, 100, 160)
 LINES = [[name] for name in COMMANDS if name != "convert"] + [["convert", name] for name in CONVERSIONS]
 NAMES = ("機械腕の土台と手首", "🤖🦾 arm 👩‍🔧", "e\u0301le\u0301vateur\u0300", "plain")
 """Wide, wider than one character, combining, and neither."""
