@@ -110,7 +110,15 @@ class UndefinedMaterial(Rule):
         near = robot.nearest(name, defined)
         fix = write_instead(near, *(use.name_value or use for use in uses))
         message = f"material `{name}` is not defined{used(len(uses))}"
-        return self.diagnostic(place, message, meant=near, fix=fix, cause=robot.misnamed("material"))
+        beside = robot.materials[:1] if near is None else ()
+        return self.diagnostic(
+            place,
+            message,
+            meant=near,
+            fix=fix,
+            labels={each.name_value or each: "the robot defines its materials here" for each in beside},
+            cause=robot.misnamed("material"),
+        )
 
 
 def is_empty(material: Material) -> bool:

@@ -107,6 +107,11 @@ class UndefinedProperty(Rule):
             },
             says="property `size` is not defined",
         ),
+        Bad(
+            '<xacro:property name="logs" value="false"/><xacro:if value="${logs}"><link name="l${«size»}"/></xacro:if>',
+            file=FILE,
+            says="xacro needs it if `logs` is not `false`",
+        ),
     )
     good = (
         Good('<xacro:property name="r" value="1"/><link name="l${sin(r * pi) + max(r, 2)}"/>', file=FILE),

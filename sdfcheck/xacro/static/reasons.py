@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import keyword
 import math
 import os
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator, Sequence
+from keyword import iskeyword
 from pathlib import Path
 
 from sdfcheck.files.git import is_ignored
@@ -36,6 +36,7 @@ from sdfcheck.xacro.static.definitions import (
     Property,
     Reading,
     free_names,
+    keyword,
     lacks_prefix,
     reading,
     visible_definitions,
@@ -86,6 +87,7 @@ def with_reason(problem: Problem, document: Document) -> Problem:
     """The same problem with the reason for it, where that is known."""
     if isinstance(problem, UndefinedProperty):
         reason = _of_property(problem, visible_definitions(document))
+        reason = reason or _of_condition(problem, document)
     elif isinstance(problem, UndefinedMacro):
         reason = _of_macro(problem, visible_definitions(document))
     elif isinstance(problem, ExpansionFailure) and problem.kind is Failure.ARGUMENT:
@@ -204,6 +206,23 @@ def _no_parameter(problem: UndefinedProperty, visible: Definitions) -> Reason | 
     return Reason(f"macro `{macro.name}` takes no such parameter", params.span, "its parameters")
 
 
+def _of_condition(problem: UndefinedProperty, document: Document) -> Reason | None:
+    """The value for which xacro passes the place of a name by, so that the name is not missed."""
+    read = _reading_of(problem.span.source, visible_definitions(document))
+    if read is None or not problem.is_dormant:
+        return None
+    starts = read.document.scan.starts
+    number = bisect_right(starts, problem.span.start) - 1
+    around = read.document.elements[number].around if number >= 0 else ()
+    branches = [each for each in around if keyword(each) in {"if", "unless"}]
+    values = filter(None, (each.attribute("value") for each in branches))
+    found = [giver for value in values for giver in givers(value.span, (), document)]
+    if len(found) != 1 or not is_literal(found[0].text):
+        return None
+    name, text, place = found[0]
+    return Reason(f"xacro needs it if `{name}` is not `{text}`", place, f"`{name}` is set here")
+
+
 def _reading_of(source: Source, visible: Definitions) -> Reading | None:
     return next((each for each in visible.readings if _is_same(each.document.source, source)), None)
 
@@ -248,7 +267,7 @@ def _of_name(name: str) -> Reason | None:
     """The reason why a property cannot have a name, and another one."""
     if not name:
         return Reason("give it one")
-    if keyword.iskeyword(name):
+    if iskeyword(name):
         return Reason("Python has that word")
     usable = _NO_LETTER.sub("_", name)
     return Reason(f"write `{usable}`") if usable.isidentifier() else None
