@@ -54,9 +54,10 @@ def elsewhere(uses: Sequence[Resource]) -> tuple[str, str, Missing | None]:
         return message, f"; write `{location.scheme}://NAME/{location.name}`", None
     setting = "model-paths" if location.scheme == "model" else "package-paths"
     message = f"{location.scheme} `{location.name}` is not on the search path"
-    meant = {resource.meant_package for resource in uses}
-    if len(meant) == 1 and (own := meant.pop()) is not None:
-        return f"{message}, and `{own}` has what is asked of it", "", None
+    meant = [use.meant_uri for use in uses]
+    owners = {uri and uri.split("/")[2] for uri in meant}
+    if len(owners) == 1 and (owner := owners.pop()):
+        return f"{message}, and `{owner}` has what is asked of it", f"; write `{meant[0]}`", None
     advice = f"; set `{setting}` in the configuration if it is elsewhere"
     return message, advice, Missing(MissingKind(location.scheme), location.name, len(uses))
 

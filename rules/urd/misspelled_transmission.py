@@ -30,9 +30,10 @@ OF_OLD = WHOLE.replace(TYPE, "").replace(
 class MisspelledTransmission(Rule):
     """The type of a transmission, or the interface of its joint, is nearly one that ros_control has.
 
-    Or the type is an attribute, as in robots of ROS before Hydro. ros_control skips such a transmission with an error.
-    Its joint has no interface, and a controller that asks for it is not started: "could not find joint in
-    hardware_interface…". In a package of ROS 2, where nothing reads it, that is a warning.
+    Or the type is an attribute, as in robots of ROS before Hydro, or a reduction is malformed. ros_control skips such a
+    transmission with an error. Its joint has no interface, and a controller that asks for it is not started: "could
+    not find joint in hardware_interface…". In a package of ROS 2, where nothing reads it, that is a warning,
+    and so is a malformed reduction, which the controllers of Gazebo do not read.
     """
 
     code = "URD028"
@@ -64,6 +65,10 @@ class MisspelledTransmission(Rule):
             OF_OLD.format("«type»"),
             says="ros_control reads the type of transmission `t` from an element `type`, not from an attribute",
         ),
+        Bad(
+            WHOLE.replace(RATIO, RATIO.replace("1", "«-13/3 * 7»")),
+            says="the reduction of transmission `t` should be a number, not `-13/3 * 7`",
+        ),
     )
     good = (
         Good(WHOLE),
@@ -80,13 +85,17 @@ class MisspelledTransmission(Rule):
 
     @staticmethod
     def applies(transmission: Transmission) -> bool:
-        return is_of_old(transmission) or next(misspelled(transmission), None) is not None
+        found = is_of_old(transmission) or any(map(is_no_number, transmission.reductions))
+        return found or next(misspelled(transmission), None) is not None
 
     def check(self, transmission: Transmission) -> Iterator[Diagnostic]:
         severity = Severity.WARNING if transmission.is_of_ros_2 else None
         for value, meant in misspelled(transmission):
             message = f"ros_control has no `{value.text.strip()}`"
             yield self.diagnostic(value, message, meant=meant, severity=severity)
+        for value in filter(is_no_number, transmission.reductions):
+            message = f"the reduction of {transmission.title} should be a number, not `{value.text.strip()}`"
+            yield self.diagnostic(value, message, severity=Severity.WARNING)
         kind = transmission.type_value
         if is_of_old(transmission) and kind is not None:
             title = transmission.title
@@ -99,6 +108,11 @@ def is_of_old(transmission: Transmission) -> bool:
     """Is its type an attribute, and ros_control to read it?"""
     is_named = any(joint.has("hardwareInterface") for joint in transmission.joint_elements)
     return is_named and transmission.attribute("type") is not None and not transmission.has("type")
+
+
+def is_no_number(value: Value) -> bool:
+    """Is a text neither a number nor an expression that is yet to be expanded?"""
+    return value.number != value.number and value.text.strip() != "" and "$" not in value.text
 
 
 def misspelled(transmission: Transmission) -> Iterator[tuple[Value, str]]:

@@ -14,6 +14,8 @@ from sdfcheck import (
 )
 from sdfcheck_rules.xac.scaffold import FILE, IN_XACRO
 
+PART = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"/>'
+
 
 class UnknownPackage(Rule):
     """``$(find …)`` names a package that is nowhere to be found.
@@ -41,6 +43,14 @@ class UnknownPackage(Rule):
             '<xacro:include filename="$(find «no_such_description»)/urdf/arm.xacro"/>',
             file=FILE,
             says="package `no_such_description`",
+        ),
+        Bad(
+            '<xacro:include filename="$(find «old_description»)/urdf/arm.xacro"/>',
+            fixed='<xacro:include filename="$(find arm_description)/urdf/arm.xacro"/>',
+            unsafe=True,
+            file=FILE,
+            files={"package.xml": "<package><name>arm_description</name></package>", "urdf/arm.xacro": PART},
+            says="package `old_description` is not found; did you mean `arm_description`?",
         ),
     )
     good = (

@@ -207,6 +207,15 @@ class Packages:
             known.update(self._package_files(folder))
         return sorted(known)
 
+    def with_folder(self, name: str) -> list[tuple[str, str]]:
+        """The packages of the project that have a folder of a name in them, each with that folder."""
+        known = (
+            (package, os.path.join(folder, name))
+            for package, copies in self._package_files(self.root).items()
+            for folder in copies
+        )
+        return [each for each in known if os.path.isdir(each[1])]
+
     def trusted(self) -> tuple[Path, ...]:
         """The folders that a person or the ROS environment pointed out."""
         return (*self.given.values(), *self.paths, *self.sourced)

@@ -198,18 +198,22 @@ class Resource(FileUse):
             return False
         return not self._is_among_textures and not self._is_in_mesh_folder
 
-    @property
-    def meant_package(self) -> str | None:
-        """The package of the file itself, if that has what is looked for in one that is not there."""
-        location = self.location
-        is_inside = location is not None and location.scheme == "package" and location.inside != ""
-        if location is None or not is_inside or location.owner is not None:
+    @lazy
+    def meant_uri(self) -> str | None:
+        """The URI of the same file in a package of the project, where its own package is not there."""
+        location, library = self.location, library_of(self.document)
+        if location is None or library is None or location.scheme != "package" or location.owner is not None:
             return None
-        library, own = library_of(self.document), _own_package(self.document)
-        if own is None or library is None:
+        name, inside = location.name, location.inside
+        if not inside:
             return None
-        places = (location.inside, os.path.join(location.name, location.inside))
-        return own[1] if any(library.disk.has(os.path.join(own[0], place)) for place in places) else None
+        if (own := _own_package(self.document)) is not None:
+            for path in (inside, f"{name}/{inside}"):
+                if library.disk.has(os.path.join(own[0], path)):
+                    return f"package://{own[1]}/{path}"
+        others = library.packages(self.document.path).with_folder(name)
+        found = [other for other, folder in others if library.disk.has(os.path.join(folder, inside))]
+        return f"package://{found[0]}/{name}/{inside}" if len(found) == 1 else None
 
     @property
     def uninstalled(self) -> tuple[str, str, str] | None:
@@ -346,7 +350,7 @@ class Pieces(Part):
 def _is_decided(resource: Resource) -> bool:
     """Do the project's files alone show where a URI leads? Meshes as a whole may be kept elsewhere."""
     location = resource.location
-    if location is None or location.path is not None or resource.meant_package is not None:
+    if location is None or location.path is not None or resource.meant_uri is not None:
         return True
     return any(_is_filled(os.path.dirname(path)) for path in location.tried)
 

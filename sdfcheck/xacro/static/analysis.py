@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
+from sdfcheck.files.packages import package_around
 from sdfcheck.formats.near_names import guess, nearest
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
@@ -47,6 +49,7 @@ from sdfcheck.xacro.problems import (
 )
 from sdfcheck.xacro.static.definitions import (
     Call,
+    Command,
     Definitions,
     Expression,
     Include,
@@ -91,6 +94,8 @@ _ENDLESS = re.compile(r"\$[{(]")
 _IN_NUMBERS = re.compile(r"\$?\{([^{}$]+)\}|\$?([^\s{}$]+)")
 """One of the numbers, or what is in its place."""
 _FOR_ANGLES = frozenset({"pi", "radians"})
+_INSIDE = re.compile(r"/([^\s$<>\"]+)")
+"""A path into a package."""
 _ARGUMENT = re.compile(r"arg\s+([^\s${}]+)\s*$")
 _TRUTHS = frozenset({"true", "True", "false", "False"})
 
@@ -567,5 +572,15 @@ def _unknown_packages(document: Document) -> Iterator[Problem]:
         seen.add(match[1])
         if packages.find(match[1]) is None:
             span = place(command.element, command.attribute, command.text, match[1])
-            near = nearest(match[1], set(packages.names))
+            near = _owner(command, document) or nearest(match[1], set(packages.names))
             yield UnknownPackage(span, match[1], near)
+
+
+def _owner(command: Command, document: Document) -> str | None:
+    """The package of the file, if that has what is asked of another one: it may have had that name before."""
+    element, own = command.element, package_around(document.path)
+    written = element.text if command.attribute is None else element.attributes[command.attribute]
+    path = _INSIDE.match(written.partition(f"$({command.text})")[2])
+    if own is None or path is None:
+        return None
+    return own[1] if os.path.isfile(os.path.join(own[0], path[1])) else None
