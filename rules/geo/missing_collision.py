@@ -8,6 +8,8 @@ NUMBER = re.compile(r"[0-9]+")
 CHAIN = re.compile(r"(?i)(link|body|part|segment|arm|finger|joint|hand|right|left|[\W_])*[a-z]?")
 LEAST = 5
 """Links that move and collide, so that the one without is the exception."""
+FEW = 3
+"""Parts that move with mass in a robot in which nothing collides: a pendulum has two."""
 OFF = frozenset(("0", "false", "no"))
 MASS = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<{0}><geometry><box size="0.1 0.1 0.1"/></geometry></{0}>'
@@ -52,7 +54,8 @@ class MissingCollision(Rule):
     It passes through everything. The counterparts are the links of the same name on the other sides (`left_wheel`
     and `right_wheel`, `FL_hip` and `RR_hip`), or all others of the robot that move, at least five. A drive turns wheels
     without collisions in the air: the robot falls through the floor, or lies on it. MoveIt compares collisions alone:
-    a robot without any goes through itself and through everything else, and its setup assistant finds no pairs.
+    a robot without any goes through itself and through everything else, and its setup assistant finds no pairs. A whole
+    robot without any, of three links or more that move and have mass, is for information elsewhere.
     """
 
     code = "GEO008"
@@ -84,6 +87,13 @@ class MissingCollision(Rule):
             file="r.srdf",
             files={"r.urdf": robot("base visual", "arm visual")},
             says="no link of robot `r` has a collision, so MoveIt lets it go through everything",
+        ),
+        Bad(
+            robot("base", "a visual", "b visual", "c visual")
+            .replace('<robot name="r">', '<«robot» name="r">')
+            .replace("</link>", f"{MASS}</link>"),
+            also=("INR005",),
+            says="none of the 3 links that move has a collision, nor has any other of robot `r`",
         ),
     )
     good = (
@@ -139,7 +149,7 @@ class MissingCollision(Rule):
     @staticmethod
     def applies(part: Model | Semantics) -> bool:
         if isinstance(part, Model):
-            return bool(lacking(part)) or bool(wheels(part))
+            return bool(lacking(part)) or bool(wheels(part)) or bool(untouched(part))
         return part.element.has("disable_collisions") and part.bare_robot is not None
 
     def check(self, part: Model | Semantics) -> Iterator[Diagnostic]:
@@ -152,6 +162,12 @@ class MissingCollision(Rule):
         yield from self._of(part)
 
     def _of(self, model: Model) -> Iterator[Diagnostic]:
+        bare = untouched(model)
+        if bare and not wheels(model):
+            message = (
+                f"none of the {len(bare)} links that move has a collision, nor has any other of {model.title}"
+            )
+            yield self.diagnostic(model, message, severity=Severity.INFO)
         for link, title in wheels(model):
             message = f"{link.title} is a wheel of {title} and has no collision, nor has any of its others"
             yield self.diagnostic(link, message)
@@ -171,6 +187,14 @@ def wheels(model: Model) -> list[tuple[Link, str]]:
         if len(own) == len(links) and own[0].has("visual") and own[0].has_mass:
             found.append((own[0], drive.title))
     return found[:1]
+
+
+def untouched(model: Model) -> list[Link]:
+    """The links that move, with mass and a visual, where none of the robot collides."""
+    if len(model.joints) < FEW or any(link.has("collision") for link in model.links) or model.may_be_static:
+        return []
+    moving = [link for link in model.links if link.has("visual") and moves(link) and link.has_mass]
+    return moving if len(moving) >= FEW and not any(map(touches, moving)) else []
 
 
 def touches(link: Link) -> bool:

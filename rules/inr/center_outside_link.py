@@ -1,4 +1,5 @@
 from collections.abc import Iterator
+from math import dist
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
 from sdfcheck_rules.inr.places import is_off_origin, outside
@@ -6,6 +7,8 @@ from sdfcheck_rules.inr.places import is_off_origin, outside
 MOST = 0.7
 """By the greatest length of the link's shapes: of 4,088 links in public robots 40 are a length outside, and nearly
 all of them because no place is written."""
+TURNED, NEAR = 0.2, 0.1
+"""The same where the center is not farther than this from the middle of the shapes once one sign is turned."""
 MASS = "<mass>1</mass><inertia><ixx>0.01</ixx><iyy>0.01</iyy><izz>0.01</izz></inertia>"
 BOX = '<collision name="c"><geometry><box><size>0.2 0.1 0.1</size></box></geometry></collision>'
 URDF_BOX = '<collision><geometry><box size="0.2 0.1 0.1"/></geometry></collision>'
@@ -15,7 +18,8 @@ class CenterOutsideLink(Rule):
     """The center of mass of a link is outside of its shapes, by most of their size.
 
     The mass of a body is within its bounds. Where the shapes are at one place and the mass at another, the
-    link hangs on a lever that nobody sees: joints need more effort than the machine, and robots tip over.
+    link hangs on a lever that nobody sees: joints need more effort than the machine, and robots tip over. A fifth of
+    the size is enough where the center would be in the middle of the shapes if one coordinate had the other sign.
     Meshes count with the bounds of their files; a link with a shape of unknown size is not judged.
     """
 
@@ -42,6 +46,12 @@ class CenterOutsideLink(Rule):
             '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial>' + URDF_BOX,
             scaffold=IN_URDF_LINK,
         ),
+        Bad(
+            f"<inertial><pose>«-0.1 0 0 0 0 0»</pose>{MASS}</inertial>{BOX}".replace(
+                '"c">', '"c"><pose>0.1 0 0 0 0 0</pose>'
+            ),
+            says="which are 0.2 m long, and would be in the middle of them if x were 0.1",
+        ),
     )
     good = (
         Good(f"<inertial><pose>0.15 0 0 0 0 0</pose>{MASS}</inertial>{BOX}", why="shapes are simplified"),
@@ -63,7 +73,8 @@ class CenterOutsideLink(Rule):
 
     @staticmethod
     def applies(inertial: Inertial) -> bool:
-        return outside(inertial) > MOST and not is_off_origin(inertial)
+        far = outside(inertial)
+        return (far > MOST or (far > TURNED and turned(inertial) is not None)) and not is_off_origin(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
         box = inertial.link.fixed_extent
@@ -71,9 +82,23 @@ class CenterOutsideLink(Rule):
         size = max(box.size)
         origin = inertial.find("origin" if inertial.is_urdf else "pose")
         value = None if origin is None else origin.attribute("xyz") or origin.own_value
+        message = f"the center of mass is {outside(inertial) * size:.3g} m outside of the shapes of"
+        message += f" {inertial.link.title}, which are {size:.3g} m long"
+        sign = turned(inertial)
+        if sign is not None:
+            message += f", and would be in the middle of them if {sign[0]} were {sign[1]:.3g}"
         yield self.diagnostic(
-            value or inertial,
-            f"the center of mass is {outside(inertial) * size:.3g} m outside of the shapes of"
-            f" {inertial.link.title}, which are {size:.3g} m long",
-            labels={inertial.link.shapes[0]: "the first of its shapes"},
+            value or inertial, message, labels={inertial.link.shapes[0]: "the first of its shapes"}
         )
+
+
+def turned(inertial: Inertial) -> tuple[str, float] | None:
+    """The coordinate of the center that has the wrong sign by the shapes of the link alone, and what it would be."""
+    center, box = inertial.center, inertial.link.extent
+    if center is None or box is None:
+        return None
+    for axis, name in enumerate("xyz"):
+        other = [-at if axis == number else at for number, at in enumerate(center)]
+        if dist(other, box.center) < NEAR * max(box.size):
+            return name, other[axis]
+    return None

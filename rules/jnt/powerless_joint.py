@@ -12,6 +12,7 @@ from sdfcheck import (
     Part,
     Rule,
     Severity,
+    Value,
 )
 from sdfcheck_rules.jnt.zero_limit import is_locked, zeros
 
@@ -26,7 +27,13 @@ DRIVEN = (
     '<gazebo><plugin filename="gz_ros2_control-system" name="gz_ros2_control::GazeboSimROS2ControlPlugin">'
     "<parameters>c.yaml</parameters></plugin></gazebo></robot>"
 )
+ADVICE = "write at least its greatest effort divided by its greatest velocity, or remove `safety_controller`"
 CLASSIC = "gazebo_ros2_control/GazeboSystem"
+SAFE = (
+    '<limit lower="-1" upper="1" effort="5" velocity="1"/>'
+    '<safety_controller soft_lower_limit="-0.9" soft_upper_limit="0.9" k_position="20" k_velocity="{}"/>'
+)
+COMMANDED = DRIVEN.replace('"position"/>', '"effort"/><state_interface name="velocity"/>')
 TRANSMITTED = (
     JOINT + '<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>'
     "</transmission></robot>"
@@ -38,6 +45,8 @@ class PowerlessJoint(Rule):
 
     Exporters write 0 where nobody has entered a number. Simulators take it for the limit that it is, so that the joint
     does not follow its commands; planners find no way to move it, and Drake makes no actuator for a transmission.
+    A `k_velocity` of 0 has the same effect where `ros2_control` commands an effort and reads the velocity: it allows
+    the effort that is `k_velocity` times the distance of the velocity from its bound.
     An effort of 0 is harmless where `ros2_control` commands positions or velocities of other hardware than a
     simulator's, as many robots of ROS-Industrial have it, and is not reported there.
     """
@@ -62,6 +71,11 @@ class PowerlessJoint(Rule):
             '<limit lower="-1" upper="1" effort="5" velocity="«0»"/>',
             scaffold=TRANSMITTED,
             says="velocity of joint `j` is limited to 0, and `transmission` drives it",
+        ),
+        Bad(
+            SAFE.format("«0.0»"),
+            scaffold=COMMANDED,
+            says="`k_velocity` of joint `j` is 0, by which `ros2_control` limits its effort to 0",
         ),
     )
     good = (
@@ -88,6 +102,8 @@ class PowerlessJoint(Rule):
             ),
             why="Classic sets positions",
         ),
+        Good(SAFE.format("10"), scaffold=COMMANDED),
+        Good(SAFE.format("0"), scaffold=DRIVEN, why="no effort is commanded"),
     )
 
     @staticmethod
@@ -95,13 +111,20 @@ class PowerlessJoint(Rule):
         return (
             limit.joint.driver is not None
             and limit.joint.moves
-            and bool(lacking(limit))
+            and bool(lacking(limit) or undriven(limit.joint) is not None)
             and not is_locked(limit)
         )
 
     def check(self, limit: Limit) -> Iterator[Diagnostic]:
         found, driver = lacking(limit), limit.joint.driver
         if driver is None:
+            return
+        gain = undriven(limit.joint)
+        if gain is not None and not found:
+            message = (
+                f"`k_velocity` of {limit.joint.title} is 0, by which `ros2_control` limits its effort to 0"
+            )
+            yield self.diagnostic(gain, message, labels={driver: "commands its effort"}, help=ADVICE)
             return
         names, (first, *_) = " and ".join(found), found.values()
         verb = "are" if len(found) > 1 else "is"
@@ -110,6 +133,17 @@ class PowerlessJoint(Rule):
             f"{names} of {limit.joint.title} {verb} limited to 0, and `{driver_name(driver)}` drives it",
             labels={driver: "drives it"},
         )
+
+
+def undriven(joint: Joint) -> Value | None:
+    """The gain of 0 that leaves no effort to a joint of which `ros2_control` commands the effort."""
+    controller, driver = joint.find("safety_controller"), joint.driver
+    if controller is None or not isinstance(driver, ControlComponent):
+        return None
+    kinds = {(each.element.name, each.name) for each in driver.interfaces}
+    gain = controller.attribute("k_velocity")
+    is_limited = {("command_interface", "effort"), ("state_interface", "velocity")} <= kinds
+    return gain if gain is not None and gain.number == 0 and is_limited else None
 
 
 def driver_name(driver: Part) -> str:

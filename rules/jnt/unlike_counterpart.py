@@ -43,6 +43,10 @@ class UnlikeCounterpart(Rule):
         Good(WRIST.format("left", "revolute") + WRIST.format("right", "revolute")),
         Good(WRIST.format("left", "revolute") + WRIST.format("right", "fixed"), why="JNT028 says so"),
         Good(
+            WRIST.format("left", "revolute") + WRIST.format("right", "revolute").replace(LIMIT, ""),
+            why="missing-limit reports it",
+        ),
+        Good(
             WRIST.format("left", "revolute").replace("1", "1e16") + WRIST.format("right", "continuous"),
             why="neither has limits in effect",
         ),
@@ -53,6 +57,8 @@ class UnlikeCounterpart(Rule):
         mirror = joint.mirror
         if mirror is None or not joint.moves or not mirror.moves or kind_of(mirror) == kind_of(joint):
             return False
+        if mirror.type == joint.type and not (mirror.has("limit") and joint.has("limit")):
+            return False  # one of them lacks its limits, which missing-limit reports
         one, other = ((kind_of(each) == "continuous", each.name) for each in (joint, mirror))
         return one > other and all(
             each.child_link is not None and each.child_link.shapes for each in (joint, mirror)

@@ -1,6 +1,7 @@
+import re
 from collections.abc import Iterator
 
-from sdfcheck import IN_MODEL, Bad, Diagnostic, Element, Good, Plugin, Rule, Severity, named
+from sdfcheck import IN_MODEL, Bad, Diagnostic, Element, Good, Plugin, Rule, Severity, Value, named
 
 MOTOR = (
     '<link name="w"/><joint name="j" type="revolute"><parent>base</parent><child>w</child>'
@@ -19,11 +20,28 @@ BATTERY = (
 )
 
 
+CAR = (
+    '<plugin name="gz::sim::systems::MecanumDrive" filename="gz-sim-mecanum-drive-system">'
+    "<{0}_velocity>{1}</{0}_velocity></plugin>"
+)
+ENGINE = (
+    '<sdf version="1.9"><world name="w"><plugin name="gz::sim::systems::Physics" filename="gz-sim-physics-system">'
+    "<engine><filename>{}</filename></engine></plugin></world></sdf>"
+)
+DRIVES = frozenset(f"gz-sim-{kind}-system" for kind in ("ackermann-steering", "diff-drive", "mecanum-drive"))
+ENGINES = ("bullet", "bullet-featherstone", "dartsim", "mujoco", "tpe")
+NAME = re.compile(r"(?:lib)?(?:gz|ignition)-physics\d*-([\w-]+?)-plugin\d*(?:\.so)?")
+"""The file of an engine of Gazebo itself; others have names of their own."""
+
+
 class RefusedPluginValue(Rule):
     """A parameter of a plugin of Gazebo has a value that the plugin refuses, or elements for a value.
 
     It reports an error, and takes another value or stays off. Of a parameter that is text or a number it reads the text
     alone: with an element inside, as some parameters of the same plugin have it, that is blank.
+
+    A drive limits its rate of turning by `min_velocity` and `max_velocity` as well, unless it has limits for that:
+    with a least velocity of 0 it does not turn to the right.
     """
 
     code = "RES027"
@@ -50,8 +68,21 @@ class RefusedPluginValue(Rule):
             ),
             says="reads `odom_frame` as text, and there is element `name`",
         ),
+        Bad(
+            CAR.format("min", "«0»"),
+            says="is `0`, and limits its rate of turning too, so that it does not turn right",
+            also=("RES021",),
+        ),
+        Bad(
+            ENGINE.format("«gz-physics-ode-plugin»"),
+            scaffold="{}",
+            says="engine `ode` is not one of Gazebo, which has `bullet`, `bullet-featherstone`, `dartsim`, ",
+        ),
     )
     good = (
+        Good(ENGINE.format("libgz-physics7-dartsim-plugin.so"), scaffold="{}"),
+        Good(ENGINE.format("my-engine"), scaffold="{}", why="an engine of one's own"),
+        Good(CAR.format("max", "2")),
         Good(MOTOR.format("ccw")),
         Good(ODOMETRY.format("3")),
         Good(BATTERY.format("1.5")),
@@ -63,12 +94,21 @@ class RefusedPluginValue(Rule):
 
     @staticmethod
     def applies(plugin: Plugin) -> bool:
-        return any(True for _ in plugin.refused_values) or any(True for _ in nested(plugin))
+        found = (plugin.refused_values, nested(plugin), onesided(plugin), unknown_engines(plugin))
+        return any(True for each in found for _ in each)
 
     def check(self, plugin: Plugin) -> Iterator[Diagnostic]:
         for value, allowed in plugin.refused_values:
             name = value.attribute or value.element.name
             message = f"`{name}` of {plugin.title} is `{value.text.strip()}`, and may be {words(allowed)}"
+            yield self.diagnostic(value, message)
+        for value, side in onesided(plugin):
+            message = (
+                f"`{value.element.name}` of {plugin.title} is `{value.text.strip()}`, and limits its rate of"
+            )
+            yield self.diagnostic(value, f"{message} turning too, so that it does not turn {side}")
+        for value, engine in unknown_engines(plugin):
+            message = f"engine `{engine}` is not one of Gazebo, which has {named(ENGINES)}"
             yield self.diagnostic(value, message)
         for parameter, child in nested(plugin):
             message = f"{plugin.title} reads `{parameter.name}` as text, and there is element `{child.name}`"
@@ -83,6 +123,29 @@ def nested(plugin: Plugin) -> Iterator[tuple[Element, Element]]:
         child = next(iter(parameter.children()), None)
         if child is not None and parameter.name in plain:
             yield parameter, child
+
+
+def onesided(plugin: Plugin) -> Iterator[tuple[Value, str]]:
+    """The limits of a drive that leave it no rate of turning to one side, with that side."""
+    if plugin.known is None or plugin.known.file not in DRIVES:
+        return
+    for end, side, sign in (("min", "right", 1), ("max", "left", -1)):
+        limit = plugin.find(f"{end}_velocity")
+        value = limit.own_value if limit is not None else None
+        if value is not None and value.number * sign >= 0 and not plugin.find(f"{end}_angular_velocity"):
+            yield value, side
+
+
+def unknown_engines(plugin: Plugin) -> Iterator[tuple[Value, str]]:
+    """The files with names like those of the engines of Gazebo, which has no such engine, and the engines."""
+    if plugin.known is None or plugin.known.file != "gz-sim-physics-system":
+        return
+    for engine in plugin.children("engine"):
+        file = engine.find("filename")
+        value = file.own_value if file is not None else None
+        match = NAME.fullmatch(value.text.strip()) if value is not None else None
+        if value is not None and match is not None and match[1] not in ENGINES:
+            yield value, match[1]
 
 
 def words(allowed: str) -> str:

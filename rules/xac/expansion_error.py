@@ -48,6 +48,17 @@ _MESSAGES: Mapping[str, str] = {
     "submodule": "folder `{detail}` is empty: it may be a submodule that is not checked out",
 }
 
+_WORDS = {
+    "circular variable definition: ": (
+        "a property is defined by itself: {}",
+        "give it a value that does not read it",
+    ),
+    "Property names must not start with double underscore:": (
+        "`{}` begins with two underscores, which xacro keeps for itself",
+        "rename the property, here and where it is read",
+    ),
+}
+"""How xacro begins to say what is wrong → our words for it, and what to do."""
 _MISSING = {"submodule": MissingKind.SUBMODULE, "ignored": MissingKind.IGNORED, "built": MissingKind.BUILT}
 _ELSEWHERE = {"above", "argument", "pattern", "variable", "withheld", *_MISSING}
 """The kinds of what another computer, or another call, may have."""
@@ -122,6 +133,16 @@ class ExpansionError(Rule):
         ),
         Bad('<link name="«$(arg prefix)»a"/>', file=FILE, says="argument `prefix` has no value"),
         Bad(
+            '<«xacro:property» name="__n" value="1"/><link name="a${__n}"/>',
+            file=FILE,
+            says="`__n` begins with two underscores, which xacro keeps for itself",
+        ),
+        Bad(
+            '<xacro:property name="n" value="«${n}»"/><link name="a${n}"/>',
+            file=FILE,
+            says="a property is defined by itself: n -> n",
+        ),
+        Bad(
             '<xacro:macro name="m" params="n"><«xacro:m» n="${n + 1}"/></xacro:macro><xacro:m n="0"/>',
             file=FILE,
             says="without end",
@@ -153,13 +174,24 @@ class ExpansionError(Rule):
             own |= {"severity": Severity.WARNING, "help": "give it the arguments that it asks for"}
         elif kind in _ELSEWHERE or (reason is not None and reason.argument) or is_absolute(problem):
             own["severity"] = Severity.WARNING
+        for beginning, (_, help_) in _WORDS.items():
+            if problem.detail.startswith(beginning):
+                own["help"] = help_
         if kind in _MISSING:
             own["missing"] = Missing(_MISSING[kind], problem.detail)
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)
+        whole = (
+            problem.span if kind == "argument" else None
+        )  # where it should be another, that is the mistake
         yield self.diagnostic(
-            problem.span, _message(problem), labels=labels, origins=origins, cause=problem.cause, **own
+            problem.span,
+            _message(problem),
+            labels=labels,
+            origins=origins,
+            cause=problem.cause or whole,
+            **own,
         )
 
 
@@ -182,4 +214,7 @@ def _message(problem: problems.ExpansionFailure) -> str:
         return f"the file stops here on purpose: {detail}"
     if kind == "expression" and problem.expression:
         return f"`{problem.expression}` cannot be evaluated: {detail}{because}"
+    for beginning, (words, _) in _WORDS.items():
+        if detail.startswith(beginning):
+            return words.format(detail.removeprefix(beginning).split(" Consider")[0].strip())
     return _MESSAGES.get(kind, "expansion fails: {detail}").replace("{detail}", detail) + because

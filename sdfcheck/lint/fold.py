@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -49,15 +49,25 @@ def _once_a_way(diagnostics: Iterable[Diagnostic]) -> list[Diagnostic]:
         is_way = len(each.labels) == 1 and each.labels[0].text.endswith(_WAY)
         key = (each.code, each.labels, each.origins) if is_way else id(each)
         groups.setdefault(key, []).append(each)
-    return [
-        first.without_fix._replace(message=f"{first.message}, and {len(more)} more like this")
-        if more
-        else first
-        for first, *more in groups.values()
-    ]
+    return [_of_a_way(*group) for group in groups.values()]
+
+
+def _of_a_way(first: Diagnostic, *more: Diagnostic) -> Diagnostic:
+    """The first of some alike; what to do where one file is included twice."""
+    if (
+        len(first.labels) == 1
+        and first.labels[0].text.endswith(_WAY)
+        and first.labels[0].span.text == _INCLUDE
+    ):
+        first = first._replace(help=_TWICE)
+    if not more:
+        return first
+    return first.without_fix._replace(message=f"{first.message}, and {len(more)} more like this")
 
 
 _WAY = ", from here"
+_INCLUDE = "xacro:include"
+_TWICE = "include the file once: what it defines is there again with each `xacro:include`"
 
 
 def _label(place: Span, text: str, span: Span) -> Label:
@@ -224,6 +234,22 @@ def _with(diagnostic: Diagnostic, consequences: Sequence[Diagnostic]) -> Diagnos
     )
 
 
+def _sayer(
+    firsts: Sequence[Diagnostic], line: Callable[[Span], tuple[str, int]]
+) -> Callable[[Diagnostic], bool]:
+    """Says whether a finding is a consequence of one of these, and left out beside it."""
+    errors = {line(each.span) for each in firsts if each.severity is Severity.ERROR}
+    warned = {(*line(each.span), each.span.start) for each in firsts if each.severity is Severity.WARNING}
+
+    def is_said(each: Diagnostic) -> bool:
+        if each.cause is None:
+            return False
+        at = line(each.cause)
+        return at in errors or (each.severity is Severity.WARNING and (*at, each.cause.start) in warned)
+
+    return is_said
+
+
 _MANNERS = tuple(Manner)
 _MOST_STEPS = 4
 """So many findings may follow one from the other."""
@@ -234,7 +260,8 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
     A defect that several files reach is reported with its highest severity, and what is wrong in another file where
-    that is included first. A consequence is left out where an error is reported on the line of its ``cause``.
+    that is included first. A consequence is left out where an error is reported on the line of its ``cause``, or a
+    warning about a warning at that very place.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
@@ -252,13 +279,13 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
 
     own = [each for each in diagnostics if not each.origins]
     places = set(map(place, foreign)).intersection(map(place, own))
-    causes = {line(each.cause) for each in foreign if each.cause}
-    if causes:
-        causes &= {line(each.span) for each in own if each.severity is Severity.ERROR and not each.cause}
+    is_said = _sayer(
+        [each for each in own if not each.cause] if any(each.cause for each in foreign) else [], line
+    )
     worst: dict[tuple[object, ...], Diagnostic] = {}
     turns: Counter[tuple[object, ...]] = Counter()
     for each in diagnostics:
-        if (each.origins and place(each) in places) or (each.cause and line(each.cause) in causes):
+        if (each.origins and place(each) in places) or is_said(each):
             continue
         top = each.origins[-1].span if each.origins else each.span
         by = (place(each), disk.real(top.source.path))

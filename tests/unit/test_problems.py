@@ -8,6 +8,7 @@ import pytest
 
 import sdfcheck
 
+BALL = "<geometry><sphere><radius>0.1</radius></sphere></geometry>"
 MASS = '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<geometry><box size="0.3 0.2 0.1"/></geometry>'
 BODY = f"{MASS}<visual>{BOX}</visual><collision>{BOX}</collision>"
@@ -3511,6 +3512,118 @@ PROBLEMS = {
         ),
         "0.01",
         "0.00008",
+    ),
+    "an arm is driven by effort, and its safety controller allows none": Problem(
+        "JNT025",
+        robot(
+            ARM.replace(
+                'velocity="2"/>\n',
+                'velocity="2"/>\n<safety_controller k_velocity="@@" soft_lower_limit="-0.9" soft_upper_limit="0.9"/>\n',
+            ),
+            DRIVEN.replace('<state_interface name="position"/>', '<state_interface name="velocity"/>'),
+            CONTROLLED,
+        ),
+        "0",
+        "5",
+    ),
+    "MoveIt plans in a frame with a slash": semantic(
+        '<virtual_joint name="v" type="planar" parent_frame="@@" child_link="stand"/>',
+        "/odom",
+        "odom",
+        "URD021",
+    ),
+    "the center of mass of a rod is on the other side of its joint": Problem(
+        "INR013",
+        robot(ARM.replace('<inertial><origin xyz="0 0 0.2"/>', '<inertial><origin xyz="0 0 @@"/>')),
+        "-0.2",
+        "0.2",
+    ),
+    "a world asks for an engine that Gazebo does not have": Problem(
+        "RES027",
+        world(
+            '<plugin filename="gz-sim-physics-system" name="gz::sim::systems::Physics">\n'
+            "<engine><filename>@@</filename></engine></plugin>\n",
+            COMMANDED,
+            '<plugin filename="gz-sim-scene-broadcaster-system" name="gz::sim::systems::SceneBroadcaster"/>',
+        ),
+        "gz-physics-ode-plugin",
+        "gz-physics-tpe-plugin",
+        suffix=".sdf",
+    ),
+    "a drive does not turn to the right": Problem(
+        "RES027",
+        robot(CART, DRIVE.replace("</plugin>", "<min_velocity>@@</min_velocity>\n</plugin>")),
+        "0",
+        "-1",
+    ),
+    "a list is written as a text": in_xacro(
+        '<xacro:property name="some" value="@@"/>\n<xacro:include filename="part.xacro"/>\n'
+        '<xacro:if value="${2 in some}"><xacro:part p="a"/></xacro:if>',
+        "[1, 2]",
+        "${[1, 2]}",
+        "XAC001",
+    )._replace(below=2),
+    "a block is inserted without the prefix of xacro": in_xacro(
+        '<link name="a"/><link name="b"/><xacro:macro name="tie" params="*place">\n'
+        '<joint name="j" type="fixed"><@@ name="place"/><parent link="a"/><child link="b"/></joint>\n'
+        '</xacro:macro><xacro:tie><origin xyz="0 0 1"/></xacro:tie>',
+        "insert_block",
+        "xacro:insert_block",
+        "XAC012",
+    ),
+    "a property is defined by itself": in_xacro(
+        '<xacro:arg name="name" default="a"/>\n<xacro:property name="name" value="@@"/>\n<link name="${name}"/>',
+        "${name}",
+        "$(arg name)",
+        "XAC001",
+    ),
+    "a property begins with two underscores": in_xacro(
+        '<xacro:property name="@@name" value="a"/>\n<link name="${@@name}"/>', "__", "", "XAC001"
+    ),
+    "the numbers of a pose have decimal commas": Problem(
+        "SCH012",
+        model(
+            f'<pose>@@ 0 0 0</pose>\n<static>true</static>\n<link name="a"><visual name="v">{BALL}</visual></link>'
+        ),
+        "-0,17 0,26 0,12",
+        "-0.17 0.26 0.12",
+        suffix=".sdf",
+    ),
+    "the ends of a joint are beside its limit": Problem(
+        "SCH003",
+        model(
+            '<link name="a"/>\n<link name="b"/>\n<joint name="j" type="revolute"><parent>a</parent><child>b</child>\n'
+            "<axis><xyz>0 0 1</xyz><limit><effort>5</effort><velocity>1</velocity></limit>\n@@\n</axis></joint>"
+        ),
+        "<lower>0</lower><upper>2</upper>",
+        "",
+        suffix=".sdf",
+    ),
+    "a model is placed by its own name": Problem(
+        "FRM004",
+        model('<link name="a"/>').replace('name="m"', 'name="m" placement_frame="@@"'),
+        "m",
+        "a",
+        suffix=".sdf",
+    ),
+    "the plugin of a lidar is beside its sensor": Problem(
+        "RES026",
+        robot(
+            CART,
+            f'<gazebo reference="body"><sensor name="s" type="ray"><ray>{SCAN}</ray></sensor></gazebo>\n@@',
+        ),
+        '<gazebo><plugin name="p" filename="libgazebo_ros_ray_sensor.so"><ros/></plugin></gazebo>',
+        "",
+    ),
+    "two collisions of a table have one name": Problem(
+        "NAM001",
+        model(
+            f'<static>true</static>\n<link name="a">\n<collision name="top">{BALL}</collision>\n'
+            f'<collision name="@@">{BALL}</collision>\n</link>'
+        ),
+        "top",
+        "leg",
+        suffix=".sdf",
     ),
 }
 
