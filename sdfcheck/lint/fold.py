@@ -234,10 +234,10 @@ def _with(diagnostic: Diagnostic, consequences: Sequence[Diagnostic]) -> Diagnos
     )
 
 
-def _sayer(
+def _following_from(
     firsts: Sequence[Diagnostic], line: Callable[[Span], tuple[str, int]]
 ) -> Callable[[Diagnostic], bool]:
-    """Says whether a finding is a consequence of one of these, and left out beside it."""
+    """The test whether a finding is a consequence of one of these, and left out beside it."""
     errors = {line(each.span) for each in firsts if each.severity is Severity.ERROR}
     warned = {(*line(each.span), each.span.start) for each in firsts if each.severity is Severity.WARNING}
 
@@ -279,7 +279,7 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
 
     own = [each for each in diagnostics if not each.origins]
     places = set(map(place, foreign)).intersection(map(place, own))
-    is_said = _sayer(
+    is_said = _following_from(
         [each for each in own if not each.cause] if any(each.cause for each in foreign) else [], line
     )
     worst: dict[tuple[object, ...], Diagnostic] = {}
