@@ -353,7 +353,7 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
 
 
 def _takes(macros: Sequence[Macro], call: Call) -> bool:
-    """Does one of the macros of a name take all that a call gives, or is none of them known?"""
+    """Does one of the macros of a name take all that a call gives? Of keywords that is not known."""
     given = call.element.attributes.keys()
     return not macros or any(
         not each.is_clear or given <= {parameter.name for parameter in each.parameters} for each in macros
