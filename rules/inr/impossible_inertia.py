@@ -1,7 +1,14 @@
 from collections.abc import Iterator, Sequence
 
 from sdfcheck import IN_LINK, IN_URDF_LINK, Bad, Diagnostic, Good, Inertial, Rule, Severity
-from sdfcheck_rules.inr.moments import has_moments, in_drake, is_impossible, is_indefinite, once_merged
+from sdfcheck_rules.inr.moments import (
+    at_edge,
+    has_moments,
+    in_drake,
+    is_impossible,
+    is_indefinite,
+    once_merged,
+)
 
 INERTIA = (
     '<inertial><mass value="1"/><inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{1}"/></inertial>'
@@ -10,6 +17,9 @@ MERGED = (
     f'<robot name="r"><link name="a">{INERTIA.format(8, 8)}</link><link name="b">{INERTIA.format(1, "«9»")}</link>'
     '<joint name="j" type="fixed"><parent link="a"/><child link="b"/></joint></robot>'
 )
+ROUNDED = "by rounding alone: add a millionth of the largest moment to `ixx`, `iyy` and `izz`"
+_BY_ROUNDING = 5e-7
+"""The part of the largest moment by which numbers of usual length break the rule though the body does not."""
 
 
 class ImpossibleInertia(Rule):
@@ -28,7 +38,8 @@ class ImpossibleInertia(Rule):
 
     For a box of x × y × z meters `ixx = m/12 · (y² + z²)`, and so on around the axes; for a cylinder along
     z `izz = m r²/2` and `ixx = iyy = m/12 · (3 r² + h²)`; for a sphere `2/5 · m r²`. A thin plate or rod is
-    at the edge, and numbers that were rounded to few digits fall over it: write at least six digits.
+    at the edge, and numbers that were rounded fall over it: write at least six digits, or add a millionth of the
+    largest moment to all three.
     Moments that were typed in the wrong order or unit break the rule as well.
     """
     looks_at = (Inertial,)
@@ -97,7 +108,8 @@ class ImpossibleInertia(Rule):
         return has_moments(inertial) and is_impossible(inertial) and not is_indefinite(inertial)
 
     def check(self, inertial: Inertial) -> Iterator[Diagnostic]:
-        low, middle, high = _distinct(_broken(inertial))
+        principal = _broken(inertial)
+        low, middle, high = _distinct(principal)
         message = f"no body has these principal moments: {high} > {low} + {middle}"
         largest = max("ixx", "iyy", "izz", key=inertial.moments.__getitem__)
         if not inertial.moments[largest].is_given:
@@ -107,7 +119,10 @@ class ImpossibleInertia(Rule):
             inertial.moments[largest],
             message,
             labels=labels,
-            affects=once_merged(inertial) | in_drake(inertial),
+            help=ROUNDED
+            if principal[2] - principal[1] - principal[0] < _BY_ROUNDING * principal[2]
+            else None,
+            affects=once_merged(inertial) | at_edge(inertial) | in_drake(inertial),
         )
 
 

@@ -87,6 +87,14 @@ def in_drake(inertial: Inertial) -> dict[Consumer, Reaction]:
     return {}
 
 
+def at_edge(inertial: Inertial) -> dict[Consumer, Reaction]:
+    """The reactions of those that compute the moments themselves, where only the errors of libsdformat break the rule."""
+    low, middle, high = inertial.principal
+    return (
+        dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), accepts("takes it")) if low + middle >= high else {}
+    )
+
+
 def is_doubtful(inertial: Inertial) -> bool:
     """Is it worth comparing the mass and the axes with the link's shapes?"""
     return (not inertial.fits_shapes or inertial.link.has_mesh) and is_written(inertial)

@@ -14,8 +14,9 @@ from sdfcheck import (
     Severity,
     accepts,
     used,
+    warns,
 )
-from sdfcheck_rules.res.absences import looking_for
+from sdfcheck_rules.res.absences import looking_for, reactions
 
 RELATIVE = ""
 MODEL = "model"
@@ -33,7 +34,8 @@ class UnportableMeshUri(Rule):
     ROS programs such as RViz know `package://`, `file://` and web addresses; a relative
     path, `model://`, or the bare path that xacro makes of `$(find arm)/meshes/arm.stl` shows no mesh there. Drake,
     MuJoCo and Gazebo do resolve paths, from the folder of the robot: Drake and MuJoCo refuse a robot whose meshes are
-    there from another one only, in which a program is started. Reported once for each kind of address.
+    there from another one only, in which a program is started. A mesh in the `meshdir` of MuJoCo's settings is one that
+    the others do not find. Reported once for each kind of address.
     """
 
     code = "RES013"
@@ -55,6 +57,13 @@ class UnportableMeshUri(Rule):
             file="urdf/arm.urdf",
             files={"package.xml": "<package><name>arm</name></package>", "meshes/arm.obj": OBJ},
             says="is not resolved by ROS programs, and leads to no file from the folder of the robot",
+        ),
+        Bad(
+            '<robot name="r"><mujoco><compiler meshdir="meshes"/></mujoco><link name="l">'
+            f"{MESH.format('«arm.stl»')}</link></robot>",
+            scaffold="{}",
+            files={"meshes/arm.stl": ""},
+            says="and MuJoCo alone looks for it in the `meshdir`",
         ),
         Bad(
             MESH.format("«model://arm/a.stl»") + MESH.format("model://arm/b.stl"),
@@ -86,6 +95,13 @@ class UnportableMeshUri(Rule):
                     message += ", and leads to no file from the folder of the robot"
                 readers = {each for use in far for each in looking_for(use)}
                 affects = {each: REFUSES if each in readers else accepts("finds it") for each in BY_FOLDER}
+                hidden = list(filter(is_for_mujoco, uses))
+                if hidden:
+                    message += ", and MuJoCo alone looks for it in the `meshdir`"
+                    affects |= reactions(hidden, REFUSES) | {
+                        Consumer.GAZEBO: warns("shows nothing in its place"),
+                        Consumer.MUJOCO: affects[Consumer.MUJOCO],
+                    }
                 yield self.diagnostic(uses[0].uri_value, message, affects=affects)
 
 
@@ -95,6 +111,12 @@ def is_elsewhere(resource: Resource) -> bool:
     if location is None or location.path is None:
         return False
     return not os.path.exists(os.path.join(resource.document.path.parent, resource.uri))
+
+
+def is_for_mujoco(resource: Resource) -> bool:
+    """Is the file of a mesh in the folder that the robot names for MuJoCo, and nowhere else?"""
+    location = resource.location
+    return location is not None and location.path is None and location.is_local and resource.is_in_mesh_folder
 
 
 def scheme(resource: Resource) -> str | None:

@@ -15,9 +15,9 @@ class UndefinedMacro(Rule):
 
     xacro stops at an element with its prefix that is neither its own nor a macro. In
     a macro library a call is reported only if no file of the project defines the macro
-    and a known name is close to it: who includes the library may bring the rest. Where the name of
-    the file ends in `.urdf`, simulators read it without xacro, and ignore the element. `xacro:error` and `xacro:fatal`,
-    which stop xacro only as they are no macros, are a warning.
+    and a known name that takes what the call gives is close to it: who includes the library may bring the rest.
+    Where the name of the file ends in `.urdf`, simulators read it without xacro, and ignore the element.
+    `xacro:error` and `xacro:fatal`, which stop xacro only as they are no macros, are a warning.
     """
 
     code = "XAC003"
@@ -71,6 +71,13 @@ class UndefinedMacro(Rule):
             '<root xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="cart" params="">'
             "<xacro:wheel_of_somebody/></xacro:macro></root>",
             why="a library: who includes it may define the macro",
+            file=FILE,
+            scaffold="{}",
+        ),
+        Good(
+            '<root xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="finger_joint" params="prefix"/>'
+            '<xacro:macro name="hand" params=""><xacro:finger_joints prefix="l_" reflect="-1"/></xacro:macro></root>',
+            why="the macro of a like name takes no `reflect`",
             file=FILE,
             scaffold="{}",
         ),

@@ -196,7 +196,7 @@ class Resource(FileUse):
         location = self.location
         if location.path is not None or not location.is_local:
             return False
-        return not self._is_among_textures and not self._is_in_mesh_folder
+        return not self._is_among_textures and not self.is_in_mesh_folder
 
     @lazy
     def meant_uri(self) -> str | None:
@@ -233,7 +233,7 @@ class Resource(FileUse):
         return any(os.path.exists(folder / place / self.uri) for place in _TEXTURE_FOLDERS)
 
     @property
-    def _is_in_mesh_folder(self) -> bool:
+    def is_in_mesh_folder(self) -> bool:
         """MuJoCo looks for the bare name of a mesh in the folder that a robot names for that."""
         root = self.document.root
         settings = root.find("mujoco") if root is not None and self.what == "mesh" else None

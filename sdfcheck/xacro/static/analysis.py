@@ -350,11 +350,19 @@ def _undefined_macros(document: Document, visible: Definitions) -> Iterator[Prob
             elsewhere = project_names(document)
             # A definition of an include that is not here may be like a name of another library.
             near = guess(document, call.name, known if visible.is_open else known | elsewhere, surely=True)
-            if near is None or call.name in elsewhere:
+            if near is None or call.name in elsewhere or not _takes(visible.macros.get(near, ()), call):
                 continue
         if _may_be_included(call.name, document, visible):
             continue
         yield UndefinedMacro(_called(call), call.name, near, ends=_ends(call))
+
+
+def _takes(macros: Sequence[Macro], call: Call) -> bool:
+    """Does one of the macros of a name take all that a call gives? Of keywords that is not known."""
+    given = call.element.attributes.keys()
+    return not macros or any(
+        not each.is_clear or given <= {parameter.name for parameter in each.parameters} for each in macros
+    )
 
 
 def _may_be_included(macro: str, document: Document, visible: Definitions) -> bool:

@@ -51,6 +51,35 @@ def test_moments_are_judged_with_any_mass_that_libsdformat_takes(mass: int, foun
     assert [each.code for each in run.diagnostics] == found
 
 
+@pytest.mark.parametrize(
+    ("moments", "off_diagonal", "verdict", "is_rounding"),
+    [
+        (
+            "6.53141172142094E-07 2.25074855995339E-07 8.3591152010311E-07",
+            "-1.1293745176837E-07 -2.06371785964382E-08 -1.15620016000655E-07",
+            "accept",
+            True,
+        ),
+        ("9e-6 1e-6 1e-5", "-1e-6 0 0", "reject", True),
+        ("0.1 0.1 0.3", "0 0 0", "reject", False),
+    ],
+)
+def test_moments_at_the_edge_are_refused_by_those_whose_rounding_errors_break_the_rule(
+    moments: str, off_diagonal: str, verdict: str, is_rounding: bool
+) -> None:
+    names = zip(
+        ("ixx", "iyy", "izz", "ixy", "ixz", "iyz"), (moments + " " + off_diagonal).split(), strict=True
+    )
+    inertia = "<inertia " + " ".join(f'{name}="{value}"' for name, value in names) + "/>"
+    link = f'<link name="c"><inertial><mass value="1"/>{inertia}</inertial></link>'
+    run = sdfcheck.lint(
+        URDF.format("").replace("</robot>", f"{link}</robot>"), isolated=True, select=("INR003",)
+    )
+    (found,) = run.diagnostics
+    assert dict(found.affects)["mujoco"].manner.value == verdict
+    assert ("rounding" in (found.help or "")) == is_rounding
+
+
 BOX = '<collision name="c"><pose>{0} 0 0 0 0 0</pose><geometry><box><size>1 1 1</size></box></geometry></collision>'
 
 
