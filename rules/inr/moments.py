@@ -88,11 +88,11 @@ def in_drake(inertial: Inertial) -> dict[Consumer, Reaction]:
 
 
 def at_edge(inertial: Inertial) -> dict[Consumer, Reaction]:
-    """The reactions of those that compute the moments themselves, where only the errors of libsdformat break the rule."""
+    """The reactions of those that work out the moments otherwise, where only libsdformat's errors break the rule."""
     low, middle, high = inertial.principal
-    return (
-        dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), accepts("takes it")) if low + middle >= high else {}
-    )
+    if low + middle < high:
+        return {}
+    return dict.fromkeys((Consumer.DRAKE, Consumer.MUJOCO), accepts("takes it"))
 
 
 def is_doubtful(inertial: Inertial) -> bool:
