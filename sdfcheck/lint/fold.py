@@ -238,14 +238,16 @@ def _following_from(
     firsts: Sequence[Diagnostic], line: Callable[[Span], tuple[str, int]]
 ) -> Callable[[Diagnostic], bool]:
     """The test whether a finding is a consequence of one of these, and left out beside it."""
-    errors = {line(each.span) for each in firsts if each.severity is Severity.ERROR}
-    warned = {(*line(each.span), each.span.start) for each in firsts if each.severity is Severity.WARNING}
+    lines = {line(each.span) for each in firsts if each.severity is Severity.ERROR}
+    places = {(*line(each.span), each.span.start): each.severity for each in reversed(firsts)}
 
     def is_said(each: Diagnostic) -> bool:
-        if each.cause is None:
+        if (cause := each.cause) is None:
             return False
-        at = line(each.cause)
-        return at in errors or (each.severity is Severity.WARNING and (*at, each.cause.start) in warned)
+        if cause != each.span and line(cause) in lines:
+            return True
+        severity = places.get((*line(cause), cause.start))
+        return severity is not None and severity >= each.severity
 
     return is_said
 
@@ -260,8 +262,8 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
     A defect that several files reach is reported with its highest severity, and what is wrong in another file where
-    that is included first. A consequence is left out where an error is reported on the line of its ``cause``, or a
-    warning about a warning at that very place.
+    that is included first. A consequence is left out where an error is reported on the line of its ``cause``, or
+    something as severe at that very place; what is its own ``cause``, in the latter case alone.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
