@@ -182,15 +182,8 @@ class ExpansionError(Rule):
         if kind == "pattern":
             own["affects"] = dict.fromkeys(Consumer, warns("gets a robot description without it"))
         origins = tuple(Origin(*step) for step in problem.origins)
-        # Where a macro means its parameter, that is the mistake.
-        cause = problem.cause or (problem.span if kind == "argument" else None)
         yield self.diagnostic(
-            problem.span,
-            _message(problem),
-            labels=labels,
-            origins=origins,
-            cause=cause,
-            **own,
+            problem.span, _message(problem), labels=labels, origins=origins, cause=problem.cause, **own
         )
 
 

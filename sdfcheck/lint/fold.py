@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -234,24 +234,6 @@ def _with(diagnostic: Diagnostic, consequences: Sequence[Diagnostic]) -> Diagnos
     )
 
 
-def _following_from(
-    firsts: Sequence[Diagnostic], line: Callable[[Span], tuple[str, int]]
-) -> Callable[[Diagnostic], bool]:
-    """The test whether a finding is a consequence of one of these, and left out beside it."""
-    lines = {line(each.span) for each in firsts if each.severity is Severity.ERROR}
-    places = {(*line(each.span), each.span.start): each.severity for each in reversed(firsts)}
-
-    def is_said(each: Diagnostic) -> bool:
-        if (cause := each.cause) is None:
-            return False
-        if cause != each.span and line(cause) in lines:
-            return True
-        severity = places.get((*line(cause), cause.start))
-        return severity is not None and severity >= each.severity
-
-    return is_said
-
-
 _MANNERS = tuple(Manner)
 _MOST_STEPS = 4
 """So many findings may follow one from the other."""
@@ -262,8 +244,7 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
     """The diagnostics of a run, each defect once, also where it is in a file that others include.
 
     A defect that several files reach is reported with its highest severity, and what is wrong in another file where
-    that is included first. A consequence is left out where an error is reported on the line of its ``cause``, or
-    something as severe at that very place; what is its own ``cause``, in the latter case alone.
+    that is included first. A consequence is left out where an error is reported on the line of its ``cause``.
     """
     foreign = [diagnostic for diagnostic in diagnostics if diagnostic.origins or diagnostic.cause]
     if not foreign:
@@ -281,13 +262,13 @@ def without_repeats(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
 
     own = [each for each in diagnostics if not each.origins]
     places = set(map(place, foreign)).intersection(map(place, own))
-    is_said = _following_from(
-        [each for each in own if not each.cause] if any(each.cause for each in foreign) else [], line
-    )
+    causes = {line(each.cause) for each in foreign if each.cause}
+    if causes:
+        causes &= {line(each.span) for each in own if each.severity is Severity.ERROR and not each.cause}
     worst: dict[tuple[object, ...], Diagnostic] = {}
     turns: Counter[tuple[object, ...]] = Counter()
     for each in diagnostics:
-        if (each.origins and place(each) in places) or is_said(each):
+        if (each.origins and place(each) in places) or (each.cause and line(each.cause) in causes):
             continue
         top = each.origins[-1].span if each.origins else each.span
         by = (place(each), disk.real(top.source.path))
