@@ -207,14 +207,10 @@ class Packages:
             known.update(self._package_files(folder))
         return sorted(known)
 
-    def with_folder(self, name: str) -> list[tuple[str, str]]:
-        """The packages of the project that have a folder of a name in them, each with that folder."""
-        known = (
-            (package, os.path.join(folder, name))
-            for package, copies in self._package_files(self.root).items()
-            for folder in copies
-        )
-        return [each for each in known if os.path.isdir(each[1])]
+    def with_file(self, path: str) -> list[str]:
+        """The packages of the project that have a file at a path."""
+        found = self._package_files(self.root)
+        return [name for name, copies in found.items() if any(has_file(copy, path) for copy in copies)]
 
     def trusted(self) -> tuple[Path, ...]:
         """The folders that a person or the ROS environment pointed out."""
@@ -430,6 +426,12 @@ def package_around(path: str | os.PathLike[str]) -> tuple[str, str] | None:
         if name := _package_name(os.path.join(folder, "package.xml")):
             return folder, name
     return None
+
+
+def has_file(folder: str | os.PathLike[str], path: str) -> bool:
+    """Has a folder a file at a path, and does that not lead out of it?"""
+    real = os.path.realpath(os.path.join(folder, path))
+    return is_below(real, (os.path.realpath(folder),)) and os.path.isfile(real)
 
 
 def is_part(folder: str) -> bool:

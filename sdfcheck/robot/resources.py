@@ -207,13 +207,14 @@ class Resource(FileUse):
         name, inside = location.name, location.inside
         if not inside:
             return None
+        from sdfcheck.files.packages import has_file
+
         if (own := _own_package(self.document)) is not None:
             for path in (inside, f"{name}/{inside}"):
-                if library.disk.has(os.path.join(own[0], path)):
+                if has_file(own[0], path):
                     return f"package://{own[1]}/{path}"
-        others = library.packages(self.document.path).with_folder(name)
-        found = [other for other, folder in others if library.disk.has(os.path.join(folder, inside))]
-        return f"package://{found[0]}/{name}/{inside}" if len(found) == 1 else None
+        others = library.packages(self.document.path).with_file(f"{name}/{inside}")
+        return f"package://{others[0]}/{name}/{inside}" if len(others) == 1 else None
 
     @property
     def uninstalled(self) -> tuple[str, str, str] | None:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import ast
-import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from keyword import iskeyword
 
 from sdfcheck.files.library import library_of
-from sdfcheck.files.packages import package_around
+from sdfcheck.files.packages import has_file, package_around
 from sdfcheck.formats.near_names import guess, nearest
 from sdfcheck.source.document import Document, Element, Value
 from sdfcheck.source.sniff import Kind
@@ -591,4 +590,4 @@ def _owner(command: Command, document: Document) -> str | None:
     path = _INSIDE.match(written.partition(f"$({command.text})")[2])
     if own is None or path is None:
         return None
-    return own[1] if os.path.isfile(os.path.join(own[0], path[1])) else None
+    return own[1] if has_file(own[0], path[1]) else None

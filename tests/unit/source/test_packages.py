@@ -9,7 +9,7 @@ import pytest
 
 import sdfcheck
 from sdfcheck.files.library import Library, SearchPaths
-from sdfcheck.files.packages import Packages, absent_installs, project_root
+from sdfcheck.files.packages import Packages, absent_installs, has_file, project_root
 from sdfcheck.files.regular import names_in
 from sdfcheck.xacro.expansion import expand
 
@@ -245,3 +245,15 @@ def test_a_build_does_not_ask_for_folders_outside_of_its_package(tmp_path: Path)
     assert absent_installs(str(tmp_path)) is None
     lists.write_text(installs.format("meshes"))
     assert absent_installs(str(tmp_path)) == ("bot", "CMakeLists.txt", ("meshes",))
+
+
+@pytest.mark.parametrize("path", ["../secret.stl", "meshes/../../secret.stl", "link.stl"])
+def test_a_path_that_leads_out_of_a_package_is_none_of_its_files(tmp_path: Path, path: str) -> None:
+    arm = tmp_path / "arm"
+    (arm / "meshes").mkdir(parents=True)
+    (tmp_path / "secret.stl").touch()
+    (arm / "meshes" / "own.stl").touch()
+    (arm / "link.stl").symlink_to(tmp_path / "secret.stl")
+    assert has_file(arm, "meshes/own.stl")
+    assert not has_file(arm, path)
+    assert not has_file(arm, str(tmp_path / "secret.stl"))
